@@ -1,0 +1,19 @@
+# What every target of the project is built with.
+add_library(solitaire_options INTERFACE)
+target_include_directories(solitaire_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(solitaire_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+if(SOLITAIRE_SANITIZE)
+  target_compile_options(solitaire_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                     -fno-omit-frame-pointer)
+  target_link_options(solitaire_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(SOLITAIRE_FUZZ)
+  target_compile_options(solitaire_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# solitaire_library(NAME DEPENDENCY...): a library of all the .cpp files of the current folder.
+function(solitaire_library name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC solitaire_options ${ARGN})
+endfunction()
