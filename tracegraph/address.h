@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace solitaire {
+
+/// Where in an execution something happened: the chain of call sites, loop turns and the own site that led
+/// there, the same on every run that comes there (the addressing scheme of section 4.3.1). An index into an
+/// AddressTable; equal ids are equal addresses.
+struct AddressId {
+  std::uint32_t index = 0;
+  friend bool operator==(AddressId, AddressId) = default;
+};
+
+/// Interns addresses. Each is its parent and one step more: a site's label, or a loop turn counted from 0.
+class AddressTable {
+ public:
+  AddressTable();
+
+  static constexpr AddressId root() { return {0}; }
+  AddressId site(AddressId parent, std::string_view label);
+  AddressId turn(AddressId parent, std::uint32_t number);
+
+  /// The readable form: "wing[2]/room[0]/make_table/rot". Empty for the root.
+  std::string text(AddressId address) const;
+  /// The readable steps, each with its turns: "wing[2]", "room[0]", "make_table", "rot".
+  std::vector<std::string> steps(AddressId address) const;
+
+  std::size_t size() const { return entries_.size(); }
+
+ private:
+  struct Entry {
+    std::uint32_t parent;
+    std::uint32_t label;  // index into labels_, or kTurn
+    std::uint32_t turn;
+    friend bool operator==(const Entry&, const Entry&) = default;
+  };
+  struct EntryHash {
+    std::size_t operator()(const Entry& entry) const;
+  };
+  struct TextHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
+  };
+  static constexpr std::uint32_t kTurn = UINT32_MAX;
+
+  AddressId intern(Entry entry);
+
+  std::vector<Entry> entries_;
+  std::unordered_map<Entry, std::uint32_t, EntryHash> ids_;
+  std::vector<std::string> labels_;
+  std::unordered_map<std::string, std::uint32_t, TextHash, std::equal_to<>> label_ids_;
+};
+
+}  // namespace solitaire
+
+template <>
+struct std::hash<solitaire::AddressId> {
+  std::size_t operator()(solitaire::AddressId id) const noexcept { return id.index; }
+};

@@ -1,0 +1,32 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "tracegraph/graph.h"
+
+namespace solitaire {
+
+/// Evaluates nodes under given values of the choices: the specification that solvers' models are held against.
+class Assignment {
+ public:
+  /// `value_of` gives each choice variable (by its number in graph.variables()) its value.
+  Assignment(const Graph& graph, std::function<std::int64_t(std::size_t)> value_of);
+
+  /// The node's value; nothing where it depends on an operation without meaning, such as a division by zero.
+  std::optional<Scalar> value(NodeId node);
+  /// Whether a bool node is true.
+  bool holds(NodeId node);
+
+ private:
+  enum class State : std::uint8_t { kUnknown, kKnown, kUndefined };
+  void compute(NodeId node);
+  State state(NodeId node) const { return states_[node.index]; }
+
+  const Graph& graph_;
+  std::function<std::int64_t(std::size_t)> value_of_;
+  std::vector<State> states_;
+  std::vector<Scalar> values_;
+};
+
+}  // namespace solitaire

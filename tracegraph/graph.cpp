@@ -1,0 +1,132 @@
+#include "tracegraph/graph.h"
+
+#include <fmt/format.h>
+
+#include "tracegraph/hash.h"
+
+namespace solitaire {
+
+IntegerTooLarge::IntegerTooLarge(Interval possible)
+    : std::runtime_error("an int can grow past 62 bits"), bounds(possible) {}
+
+UndefinedOperation::UndefinedOperation(Op undefined)
+    : std::runtime_error(fmt::format("'{}' has no value here", operation(undefined).name)), op(undefined) {}
+
+Graph::Graph() {
+  table_.resize(1024);
+  intern({Op::kConstBool, false, {}, {0, 0}, 0});
+  intern({Op::kConstBool, false, {}, {1, 1}, 0});
+}
+
+std::size_t Graph::VariableHash::operator()(const ChoiceVariable& variable) const {
+  const ChoiceDomain& domain = variable.domain;
+  std::uint64_t hash = mix(variable.address.index, static_cast<std::uint64_t>(domain.lo));
+  hash = mix(hash, static_cast<std::uint64_t>(domain.hi));
+  return mix(hash, static_cast<std::uint64_t>(domain.step) * 4 + static_cast<std::uint64_t>(domain.kind));
+}
+
+std::uint64_t Graph::hash(const Node& node) const {
+  std::uint64_t hash = static_cast<std::uint64_t>(node.op);
+  for (const NodeId operand : node.args()) hash = mix(hash, operand.index);
+  hash = mix(hash, node.payload);
+  return node.is_constant() ? mix(hash, static_cast<std::uint64_t>(node.interval.lo)) : hash;
+}
+
+NodeId Graph::intern(const Node& node) {
+  if (2 * nodes_.size() >= table_.size()) grow_table();
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = hash(node) & mask;
+  for (; table_[slot] != 0; slot = (slot + 1) & mask) {
+    const Node& other = nodes_[table_[slot] - 1];
+    const bool same_constant = !node.is_constant() || other.interval == node.interval;
+    if (other.op == node.op && other.operands == node.operands && other.payload == node.payload && same_constant) {
+      return {table_[slot] - 1};
+    }
+  }
+  nodes_.push_back(node);
+  table_[slot] = static_cast<std::uint32_t>(nodes_.size());
+  return {static_cast<std::uint32_t>(nodes_.size() - 1)};
+}
+
+void Graph::grow_table() {
+  table_.assign(2 * table_.size(), 0);
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    std::size_t slot = hash(nodes_[i]) & mask;
+    while (table_[slot] != 0) slot = (slot + 1) & mask;
+    table_[slot] = static_cast<std::uint32_t>(i + 1);
+  }
+}
+
+NodeId Graph::constant(std::int64_t value) { return intern({Op::kConstInt, false, {}, {value, value}, 0}); }
+
+NodeId Graph::constant(double value) {
+  return intern({Op::kConstFloat, true, {}, {}, std::bit_cast<std::uint64_t>(value)});
+}
+
+NodeId Graph::make_constant(Type type, Scalar value) {
+  switch (type) {
+    case Type::kBool: return constant(value.i != 0);
+    case Type::kInt: return constant(value.i);
+    case Type::kFloat: return constant(value.f);
+  }
+  return kFalse;
+}
+
+Scalar Graph::scalar(NodeId id) const {
+  const Node& constant = node(id);
+  if (constant.op == Op::kConstFloat) return Scalar::of(std::bit_cast<double>(constant.payload));
+  return Scalar::of(constant.interval.lo);
+}
+
+NodeId Graph::choice(const ChoiceVariable& variable) {
+  const ChoiceDomain& domain = variable.domain;
+  if (domain.lo == domain.hi) return constant(domain.lo);
+  const auto [it, added] = variable_ids_.try_emplace(variable, static_cast<std::uint32_t>(variables_.size()));
+  if (added) {
+    const std::int64_t last = domain.hi - (domain.hi - domain.lo) % domain.step;
+    variables_.push_back(variable);
+    variable_nodes_.push_back(intern({Op::kChoice, false, {}, {domain.lo, last}, it->second}));
+  }
+  return variable_nodes_[it->second];
+}
+
+NodeId Graph::fold(Op op, std::span<const NodeId> operands) {
+  std::array<Scalar, 3> values{};
+  for (std::size_t i = 0; i < operands.size(); ++i) values[i] = scalar(operands[i]);
+  const Operation& row = operation(op);
+  const std::optional<Scalar> result = row.fold(values.data());
+  if (!result) throw UndefinedOperation(op);
+  return make_constant(row.result, *result);
+}
+
+NodeId Graph::apply(Op op, std::initializer_list<NodeId> operands) {
+  Node made{op, false, {}, {0, 1}, 0};
+  std::array<Interval, 3> intervals;
+  bool constant = true;
+  std::size_t count = 0;
+  for (const NodeId operand : operands) {
+    const Node& below = node(operand);
+    constant = constant && below.is_constant();
+    made.has_float = made.has_float || below.has_float;
+    intervals[count] = below.interval;
+    made.operands[count++] = operand;
+  }
+  const Operation& row = operation(op);
+  if (row.bounds != nullptr) {
+    made.interval = row.bounds(intervals.data());
+    if (!made.interval.exact()) throw IntegerTooLarge(made.interval);
+  }
+  if (constant) return fold(op, made.args());
+  if (row.result == Type::kInt && made.interval.single() && op != Op::kDiv && op != Op::kMod) {
+    return this->constant(made.interval.lo);
+  }
+  if (const auto simple = simplify(op, made.args())) return *simple;
+  if ((op == Op::kAnd || op == Op::kOr || op == Op::kEqInt || op == Op::kEqBool) &&
+      made.operands[1].index < made.operands[0].index) {
+    std::swap(made.operands[0], made.operands[1]);  // commutative: one order, so that equals meet
+  }
+  return intern(made);
+}
+
+}  // namespace solitaire

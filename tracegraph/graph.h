@@ -1,0 +1,133 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <initializer_list>
+#include <span>
+#include <stdexcept>
+#include <unordered_map>
+#include <vector>
+
+#include "tracegraph/address.h"
+#include "tracegraph/op.h"
+
+namespace solitaire {
+
+/// A node of a Graph. Equal ids are equal expressions.
+struct NodeId {
+  std::uint32_t index = 0;
+  friend bool operator==(NodeId, NodeId) = default;
+};
+inline constexpr NodeId kFalse{0};
+inline constexpr NodeId kTrue{1};
+
+/// What a choice is to its author: an int from range(), a bool from flip(), a list position from choose().
+enum class ChoiceKind : std::uint8_t { kInt, kBool, kIndex };
+
+/// The values a choice can take: lo, lo + step, ... up to hi. lo <= hi, step >= 1.
+struct ChoiceDomain {
+  std::int64_t lo = 0;
+  std::int64_t hi = 0;
+  std::int64_t step = 1;
+  ChoiceKind kind = ChoiceKind::kInt;
+
+  friend bool operator==(const ChoiceDomain&, const ChoiceDomain&) = default;
+};
+
+/// A choice left open: the unknown that a solver gives a value.
+struct ChoiceVariable {
+  AddressId address;
+  ChoiceDomain domain;
+  friend bool operator==(const ChoiceVariable&, const ChoiceVariable&) = default;
+};
+
+/// Thrown where an int expression can leave the exact range; `bounds` is what it could become.
+struct IntegerTooLarge : std::runtime_error {
+  explicit IntegerTooLarge(Interval possible);
+  Interval bounds;
+};
+
+/// Thrown where an operation on constants has no value, such as a division by zero.
+struct UndefinedOperation : std::runtime_error {
+  explicit UndefinedOperation(Op undefined);
+  Op op;
+};
+
+/// The hash-consed DAG of operations on choices: every expression exists once, so a later pass that meets
+/// the same expression finds the same node. Constants fold and simple identities apply when a node is made.
+/// Every int node carries the interval of values it can take, from which comparisons are decided and bit
+/// widths chosen.
+class Graph {
+ public:
+  struct Node {
+    Op op;
+    bool has_float;                 // itself or an operand below it is a float: no bit-vector says it
+    std::array<NodeId, 3> operands{};
+    Interval interval;              // of ints; a constant bool or int is its lower end
+    std::uint64_t payload = 0;      // the bits of a float constant, or the number of a choice
+
+    std::span<const NodeId> args() const { return {operands.data(), operation(op).arity}; }
+    Type type() const { return operation(op).result; }
+    bool is_constant() const { return op <= Op::kConstFloat; }
+  };
+
+  Graph();
+
+  NodeId constant(bool value) { return value ? kTrue : kFalse; }
+  NodeId constant(std::int64_t value);
+  NodeId constant(double value);
+  NodeId choice(const ChoiceVariable& variable);
+
+  /// The operation applied to nodes of its operand types.
+  /// Throws IntegerTooLarge if an int result can leave the exact range, UndefinedOperation if all operands are
+  /// constants for which the operation means nothing.
+  NodeId apply(Op op, std::initializer_list<NodeId> operands);
+
+  NodeId negation(NodeId a) { return apply(Op::kNot, {a}); }
+  NodeId conjunction(NodeId a, NodeId b) { return apply(Op::kAnd, {a, b}); }
+  NodeId disjunction(NodeId a, NodeId b) { return apply(Op::kOr, {a, b}); }
+  NodeId implication(NodeId a, NodeId b) { return disjunction(negation(a), b); }
+  NodeId phi(NodeId condition, NodeId a, NodeId b) {
+    return apply(ite_of(node(a).type()), {condition, a, b});
+  }
+
+  const Node& node(NodeId id) const { return nodes_[id.index]; }
+  std::size_t size() const { return nodes_.size(); }
+
+  const ChoiceVariable& variable(NodeId choice) const { return variables_[node(choice).payload]; }
+  const std::vector<ChoiceVariable>& variables() const { return variables_; }
+  /// The choice node of the variable with that number.
+  NodeId variable_node(std::size_t number) const { return variable_nodes_[number]; }
+
+  /// The value of a constant node.
+  Scalar scalar(NodeId id) const;
+
+ private:
+  NodeId intern(const Node& node);
+  NodeId make_constant(Type type, Scalar value);
+  NodeId fold(Op op, std::span<const NodeId> operands);
+  std::optional<NodeId> simplify(Op op, std::span<const NodeId> operands);
+  std::optional<NodeId> simplify_and(NodeId a, NodeId b);
+  std::optional<NodeId> simplify_or(NodeId a, NodeId b);
+  std::optional<NodeId> simplify_ite(Op op, NodeId condition, NodeId a, NodeId b);
+  std::optional<NodeId> simplify_equal(NodeId a, NodeId b);
+  bool opposite(NodeId a, NodeId b) const;
+  bool is_int(NodeId id, std::int64_t value) const;
+  void grow_table();
+  std::uint64_t hash(const Node& node) const;
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> table_;  // open addressing; index + 1 of a node, 0 is free
+  std::vector<ChoiceVariable> variables_;
+  std::vector<NodeId> variable_nodes_;
+  struct VariableHash {
+    std::size_t operator()(const ChoiceVariable& variable) const;
+  };
+  std::unordered_map<ChoiceVariable, std::uint32_t, VariableHash> variable_ids_;
+};
+
+}  // namespace solitaire
+
+template <>
+struct std::hash<solitaire::NodeId> {
+  std::size_t operator()(solitaire::NodeId id) const noexcept { return id.index; }
+};

@@ -1,0 +1,129 @@
+// The identities that Graph::apply knows. Each returns the simpler node, or nothing; none makes a node that is
+// larger than the one asked for.
+#include "tracegraph/graph.h"
+
+namespace solitaire {
+
+bool Graph::opposite(NodeId a, NodeId b) const {
+  return (node(a).op == Op::kNot && node(a).operands[0] == b) || (node(b).op == Op::kNot && node(b).operands[0] == a);
+}
+
+bool Graph::is_int(NodeId id, std::int64_t value) const {
+  return node(id).op == Op::kConstInt && node(id).interval.lo == value;
+}
+
+std::optional<NodeId> Graph::simplify(Op op, std::span<const NodeId> args) {
+  const auto interval = [&](std::size_t i) { return node(args[i]).interval; };
+  switch (op) {
+    case Op::kNot:
+      if (node(args[0]).op == Op::kNot) return node(args[0]).operands[0];
+      return std::nullopt;
+    case Op::kAnd: return simplify_and(args[0], args[1]);
+    case Op::kOr: return simplify_or(args[0], args[1]);
+    case Op::kEqBool:
+      if (args[0] == args[1]) return kTrue;
+      if (opposite(args[0], args[1])) return kFalse;
+      if (args[0] == kTrue) return args[1];
+      if (args[1] == kTrue) return args[0];
+      if (args[0] == kFalse) return negation(args[1]);
+      if (args[1] == kFalse) return negation(args[0]);
+      return std::nullopt;
+    case Op::kIteBool:
+    case Op::kIteInt:
+    case Op::kIteFloat: return simplify_ite(op, args[0], args[1], args[2]);
+    case Op::kAdd:
+      if (is_int(args[0], 0)) return args[1];
+      if (is_int(args[1], 0)) return args[0];
+      return std::nullopt;
+    case Op::kSub:
+      if (is_int(args[1], 0)) return args[0];
+      if (args[0] == args[1]) return constant(std::int64_t{0});
+      return std::nullopt;
+    case Op::kMul:
+      if (is_int(args[0], 1)) return args[1];
+      if (is_int(args[1], 1)) return args[0];
+      return std::nullopt;
+    case Op::kDiv:
+      if (is_int(args[1], 1)) return args[0];
+      return std::nullopt;
+    case Op::kMin:
+      if (args[0] == args[1] || interval(0).hi <= interval(1).lo) return args[0];
+      if (interval(1).hi <= interval(0).lo) return args[1];
+      return std::nullopt;
+    case Op::kMax:
+      if (args[0] == args[1] || interval(0).lo >= interval(1).hi) return args[0];
+      if (interval(1).lo >= interval(0).hi) return args[1];
+      return std::nullopt;
+    case Op::kAbs:
+      if (interval(0).lo >= 0) return args[0];
+      return std::nullopt;
+    case Op::kEqInt: return simplify_equal(args[0], args[1]);
+    case Op::kLtInt:
+      if (interval(0).hi < interval(1).lo) return kTrue;
+      if (args[0] == args[1] || interval(0).lo >= interval(1).hi) return kFalse;
+      return std::nullopt;
+    case Op::kLeInt:
+      if (args[0] == args[1] || interval(0).hi <= interval(1).lo) return kTrue;
+      if (interval(0).lo > interval(1).hi) return kFalse;
+      return std::nullopt;
+    default: return std::nullopt;
+  }
+}
+
+std::optional<NodeId> Graph::simplify_and(NodeId a, NodeId b) {
+  if (a == kFalse || b == kFalse || opposite(a, b)) return kFalse;
+  if (a == kTrue || a == b) return b;
+  if (b == kTrue) return a;
+  return std::nullopt;
+}
+
+std::optional<NodeId> Graph::simplify_or(NodeId a, NodeId b) {
+  if (a == kTrue || b == kTrue || opposite(a, b)) return kTrue;
+  if (a == kFalse || a == b) return b;
+  if (b == kFalse) return a;
+  // (g and c) or (g and not c) is g: what two sides of a branch become where they join again.
+  if (node(a).op == Op::kAnd && node(b).op == Op::kAnd) {
+    const auto& x = node(a).operands;
+    const auto& y = node(b).operands;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < 2; ++j) {
+        if (x[i] == y[j] && opposite(x[1 - i], y[1 - j])) return x[i];
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<NodeId> Graph::simplify_ite(Op op, NodeId condition, NodeId a, NodeId b) {
+  if (condition == kTrue || a == b) return a;
+  if (condition == kFalse) return b;
+  if (node(condition).op == Op::kNot) return apply(op, {node(condition).operands[0], b, a});
+  if (node(a).op == op && node(a).operands[0] == condition) return apply(op, {condition, node(a).operands[1], b});
+  if (node(b).op == op && node(b).operands[0] == condition) return apply(op, {condition, a, node(b).operands[2]});
+  if (op != Op::kIteBool) return std::nullopt;
+  if (a == kTrue || a == condition) return disjunction(condition, b);
+  if (a == kFalse) return conjunction(negation(condition), b);
+  if (b == kFalse || b == condition) return conjunction(condition, a);
+  if (b == kTrue) return disjunction(negation(condition), a);
+  return std::nullopt;
+}
+
+std::optional<NodeId> Graph::simplify_equal(NodeId a, NodeId b) {
+  if (a == b) return kTrue;
+  if (disjoint(node(a).interval, node(b).interval)) return kFalse;
+  if (node(b).op == Op::kIteInt) std::swap(a, b);
+  if (node(b).op != Op::kConstInt) return std::nullopt;
+  // if(c, 10, -5) == 10 is c.
+  const Node phi = node(a);
+  if (phi.op == Op::kIteInt && node(phi.operands[1]).is_constant() && node(phi.operands[2]).is_constant()) {
+    return apply(Op::kIteBool, {phi.operands[0], apply(Op::kEqInt, {phi.operands[1], b}),
+                                apply(Op::kEqInt, {phi.operands[2], b})});
+  }
+  if (phi.op == Op::kChoice) {
+    const ChoiceDomain& domain = variables_[phi.payload].domain;
+    if ((node(b).interval.lo - domain.lo) % domain.step != 0) return kFalse;
+  }
+  return std::nullopt;
+}
+
+}  // namespace solitaire

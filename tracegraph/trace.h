@@ -1,0 +1,120 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tracegraph/graph.h"
+#include "tracegraph/span.h"
+
+namespace solitaire {
+
+/// A choice that was left open, and when an execution meets it.
+struct TraceChoice {
+  NodeId guard;
+  NodeId variable;  // a choice node, or a constant where only one value is possible
+  AddressId address;
+  ChoiceDomain domain;
+  Span span;
+};
+
+/// Why an execution is ruled out.
+enum class Requirement : std::uint8_t {
+  kAssert,     // an assert of the program
+  kRange,      // a choice lies between ends that depend on other choices
+  kNotEmpty,   // there is something to choose from
+  kIndex,      // a list has an element at that index
+  kDivisor,    // a divisor is not zero
+};
+
+/// What must hold in every solution: guard implies condition.
+struct TraceAssert {
+  NodeId guard;
+  NodeId condition;
+  Requirement requirement;
+  AddressId address;
+  Span span;
+  std::string message;  // the author's, or ""
+};
+
+/// A thing put into the scene, with the nodes on which its place, size and looks depend.
+struct TracePlaced {
+  NodeId guard;
+  AddressId address;
+  Span span;
+  std::vector<NodeId> depends;
+};
+
+/// One side of an undecided branch, named by the branch's address; or, as a cut, a point where a pass ran out of
+/// the steps it was granted.
+struct BranchSide {
+  enum class Kind : std::uint8_t { kThen, kElse, kCut };
+  AddressId branch;
+  Kind kind = Kind::kThen;
+  friend bool operator==(const BranchSide&, const BranchSide&) = default;
+};
+
+/// An unexplored side: solutions are looked for where no blocker's guard holds.
+struct TraceBlocker {
+  NodeId guard;
+  BranchSide side;
+  Span span;
+};
+
+/// What a concrete execution would report as an error of the program.
+struct TraceMistake {
+  NodeId guard;
+  AddressId address;
+  Span span;
+  std::string message;
+};
+
+/// What one symbolic evaluation found, in program order: section 4.1.5's trace graph, seen from its effects.
+struct Trace {
+  std::vector<TraceChoice> choices;
+  std::vector<TraceAssert> asserts;
+  std::vector<TracePlaced> placed;
+  std::vector<TraceBlocker> blockers;
+  std::vector<TraceMistake> mistakes;
+};
+
+/// Collects a Trace during an evaluation. Effects go into the current segment with guards that are relative to
+/// the segment's start. A call that several exclusive branches share is evaluated once, as a segment with
+/// several callers; finish() makes every guard absolute: the segment's entry is the disjunction of its callers'.
+class TraceRecorder {
+ public:
+  using SegmentId = std::uint32_t;
+
+  TraceRecorder();
+
+  /// Starts a segment and makes it the current one; end_segment returns to the one before.
+  SegmentId begin_segment();
+  void end_segment();
+  bool in_segment() const { return open_.size() > 1; }
+  /// The current segment reaches `callee` under that guard (relative to the current segment).
+  void enter_segment(SegmentId callee, NodeId guard);
+
+  void add(TraceChoice choice) { current().choices.push_back(std::move(choice)); }
+  void add(TraceAssert condition) { current().asserts.push_back(std::move(condition)); }
+  void add(TracePlaced placed) { current().placed.push_back(std::move(placed)); }
+  void add(TraceBlocker blocker) { current().blockers.push_back(std::move(blocker)); }
+  void add(TraceMistake mistake) { current().mistakes.push_back(std::move(mistake)); }
+
+  Trace finish(Graph& graph);
+
+ private:
+  struct Caller {
+    SegmentId segment;
+    NodeId guard;
+  };
+  struct Segment {
+    Trace trace;
+    std::vector<Caller> callers;
+  };
+  Trace& current() { return segments_[open_.back()].trace; }
+  std::vector<NodeId> entry_guards(Graph& graph) const;
+
+  std::vector<Segment> segments_;
+  std::vector<SegmentId> open_;
+};
+
+}  // namespace solitaire
