@@ -1,0 +1,146 @@
+#include "scene/assets.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "scene/accessor_view.h"
+#include "scene/asset_model.h"
+#include "scene/error.h"
+#include "scene/gltf_reader.h"
+
+namespace solitaire {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Goes through an asset's nodes, roots first, as deep as check_model allows.
+template <typename Visit>
+void for_each_mesh(const AssetModel& model, const std::vector<int>& nodes, const Affine& outer,
+                   const Visit& visit) {
+  for (const int index : nodes) {
+    const auto& node = model.gltf.nodes[static_cast<std::size_t>(index)];
+    const Affine map = outer * local_transform(node);
+    if (node.mesh != -1) visit(model.gltf.meshes[static_cast<std::size_t>(node.mesh)], map);
+    for_each_mesh(model, node.children, map, visit);
+  }
+}
+
+Box3 measured_box(const AssetModel& model) {
+  Box3 box;
+  for_each_mesh(model, model.roots, Affine{}, [&](const tinygltf::Mesh& mesh, const Affine& map) {
+    for (const auto& primitive : mesh.primitives) {
+      const AccessorView positions(model.gltf, primitive.attributes.at("POSITION"));
+      for (std::size_t i = 0; i < positions.count(); ++i) box.include(map.apply(positions.point(i)));
+    }
+  });
+  return box;
+}
+
+int first_material(const AssetModel& model) {
+  int material = -1;
+  bool found = false;
+  for_each_mesh(model, model.roots, Affine{}, [&](const tinygltf::Mesh& mesh, const Affine&) {
+    if (!std::exchange(found, true)) material = mesh.primitives.front().material;
+  });
+  return material;
+}
+
+Color material_color(const AssetModel& model) {
+  if (model.primary_material == -1) return {1, 1, 1};
+  const auto& material = model.gltf.materials[static_cast<std::size_t>(model.primary_material)];
+  const auto& factor = material.pbrMetallicRoughness.baseColorFactor;
+  return to_screen({factor[0], factor[1], factor[2]});
+}
+
+// An author of an asset may state its front in the extras of its root node: "+Z" (glTF's own rule, and what
+// goes without saying), "+X", "-Z", "-X", or "none" for a thing that looks the same from all sides.
+void read_front(const AssetModel& model, Asset& asset) {
+  const auto& extras = model.gltf.nodes[static_cast<std::size_t>(model.roots.front())].extras;
+  if (!extras.Has("front") || !extras.Get("front").IsString()) return;
+  const auto& front = extras.Get("front").Get<std::string>();
+  constexpr std::array<std::string_view, 4> kByTurns = {"+Z", "-X", "-Z", "+X"};
+  const auto side = std::find(kByTurns.begin(), kByTurns.end(), front);
+  asset.has_front = side != kByTurns.end();
+  if (asset.has_front) asset.front_turns = static_cast<int>(side - kByTurns.begin());
+}
+
+Asset load_asset(const fs::path& file) {
+  auto model = std::make_shared<AssetModel>();
+  model->gltf = read_gltf(file);
+  model->roots = root_nodes(model->gltf);
+  model->primary_material = first_material(*model);
+
+  Asset asset;
+  asset.name = file.stem().string();
+  asset.box = measured_box(*model);
+  if (asset.box.empty()) throw SceneError(fmt::format("cannot use {}: it shows nothing", file.string()));
+  asset.color = material_color(*model);
+  read_front(*model, asset);
+  asset.model = std::move(model);
+  return asset;
+}
+
+bool is_path(const std::string& name) {
+  std::string extension = fs::path(name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension == ".glb" || extension == ".gltf";
+}
+
+bool can_be_bundled(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+}  // namespace
+
+bool AssetModel::is_single_mesh() const {
+  if (roots.size() != 1) return false;
+  const auto& node = gltf.nodes[static_cast<std::size_t>(roots.front())];
+  return node.mesh != -1 && node.children.empty() && local_transform(node).is_identity();
+}
+
+Affine local_transform(const tinygltf::Node& node) {
+  if (!node.matrix.empty()) {
+    Affine map;
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 4; ++column)
+        map.rows[row][column] = node.matrix[column * 4 + row];
+    }
+    return map;
+  }
+  Transform transform;
+  if (!node.translation.empty()) std::copy_n(node.translation.begin(), 3, transform.translation.begin());
+  if (!node.rotation.empty()) std::copy_n(node.rotation.begin(), 4, transform.rotation.begin());
+  if (!node.scale.empty()) std::copy_n(node.scale.begin(), 3, transform.scale.begin());
+  return to_affine(transform);
+}
+
+AssetLibrary::AssetLibrary(fs::path bundled, fs::path script_folder)
+    : bundled_(std::move(bundled)), script_folder_(std::move(script_folder)) {}
+
+const Asset* AssetLibrary::find(const std::string& name) {
+  if (const auto known = by_name_.find(name); known != by_name_.end()) return known->second;
+  const Asset* asset = nullptr;
+  if (is_path(name)) {
+    asset = load(name, script_folder_ / name);
+  } else if (can_be_bundled(name) && fs::exists(bundled_ / (name + ".glb"))) {
+    asset = load(name, bundled_ / (name + ".glb"));
+  }
+  return by_name_[name] = asset;
+}
+
+const Asset* AssetLibrary::load(const std::string& name, const fs::path& file) {
+  std::error_code missing;
+  const fs::path canonical = fs::canonical(file, missing);
+  if (missing)
+    throw SceneError(
+        fmt::format("cannot read the asset \"{}\": {}: {}", name, file.string(), missing.message()));
+  const auto known = by_file_.find(canonical);
+  if (known != by_file_.end()) return &known->second;
+  return &by_file_.emplace(canonical, load_asset(canonical)).first->second;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,44 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "scene/color.h"
+#include "scene/geometry.h"
+
+namespace solitaire {
+
+struct AssetModel;  // scene/asset_model.h; keeps glTF out of this header
+
+/// A 3D model that placements share.
+struct Asset {
+  std::string name;     // "chair"
+  Box3 box;             // of all its vertices; glTF axes, metres
+  int front_turns = 0;  // quarter turns about +Y that bring its front to +Z
+  bool has_front = true;
+  Color color{};  // of its primary material
+  std::shared_ptr<const AssetModel> model;
+};
+
+/// Finds and loads assets, each file once. Not for several threads at a time.
+class AssetLibrary {
+ public:
+  /// `bundled` holds NAME.glb files; paths that programs write are relative to `script_folder`.
+  AssetLibrary(std::filesystem::path bundled, std::filesystem::path script_folder);
+
+  /// A bundled asset by its name, or the user's own by a path that ends in .glb or .gltf. nullptr if no asset
+  /// has this name, which a scene shows as a box. Throws SceneError for a file that is missing, broken or not
+  /// supported. The asset lives as long as the library.
+  const Asset* find(const std::string& name);
+
+ private:
+  const Asset* load(const std::string& name, const std::filesystem::path& file);
+
+  std::filesystem::path bundled_;
+  std::filesystem::path script_folder_;
+  std::map<std::string, const Asset*> by_name_;
+  std::map<std::filesystem::path, Asset> by_file_;
+};
+
+}  // namespace solitaire

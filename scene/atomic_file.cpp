@@ -1,0 +1,104 @@
+#include "scene/atomic_file.h"
+
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include "scene/error.h"
+
+namespace solitaire {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw SceneError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(error)));
+}
+
+/// An open file; close() tells whether everything reached it.
+class Output {
+ public:
+  Output(const fs::path& path, int flags)
+      : descriptor_(::open(path.c_str(), flags | O_WRONLY | O_CLOEXEC, 0666)) {}
+  ~Output() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  bool is_open() const { return descriptor_ >= 0; }
+
+  bool write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return false;
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+  bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
+
+ private:
+  int descriptor_;
+};
+
+/// A file that removes itself unless it was given its final name.
+class Temporary {
+ public:
+  explicit Temporary(const fs::path& beside) : path_(beside.parent_path() / unused_name()) {}
+  ~Temporary() {
+    std::error_code ignored;
+    if (!kept_) fs::remove(path_, ignored);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+  bool rename_to(const fs::path& name) {
+    kept_ = ::rename(path_.c_str(), name.c_str()) == 0;
+    return kept_;
+  }
+
+ private:
+  static std::string unused_name() {
+    static std::atomic<unsigned> count = 0;
+    return fmt::format(".solitaire-{}-{}.part", ::getpid(), ++count);
+  }
+
+  fs::path path_;
+  bool kept_ = false;
+};
+
+void write_directly(const fs::path& path, std::string_view bytes) {
+  Output output(path, 0);
+  if (!output.is_open() || !output.write(bytes) || !output.close()) fail(path, errno);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::string_view bytes,
+                           const std::function<void(const fs::path&)>& check) {
+  std::error_code unknown;
+  const fs::path resolved = fs::canonical(path, unknown);  // a link stays a link to the new file
+  const fs::path target = unknown ? path : resolved;
+  const fs::file_type type = fs::status(target, unknown).type();
+  if (type == fs::file_type::directory) fail(path, EISDIR);
+  if (type != fs::file_type::regular && type != fs::file_type::not_found && type != fs::file_type::none) {
+    return write_directly(target, bytes);
+  }
+
+  Temporary temporary(target);
+  Output output(temporary.path(), O_CREAT | O_TRUNC | O_NOFOLLOW);
+  if (!output.is_open() || !output.write(bytes) || !output.close()) fail(path, errno);
+  if (check) check(temporary.path());
+  if (!temporary.rename_to(target)) fail(path, errno);
+}
+
+}  // namespace solitaire

@@ -1,0 +1,26 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <tiny_gltf.h>
+
+#include "scene/color.h"
+
+namespace solitaire {
+
+/// The unit box on the ground around the origin, once in an output file, with a mesh for each colour.
+class BoxMeshes {
+ public:
+  explicit BoxMeshes(tinygltf::Model& to) : to_(to) {}
+
+  int mesh(const Color& color);
+
+ private:
+  void add_geometry();
+
+  tinygltf::Model& to_;
+  std::optional<tinygltf::Primitive> geometry_;
+  std::map<std::string, int> by_color_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,12 @@
+#pragma once
+#include <stdexcept>
+
+namespace solitaire {
+
+/// A scene that cannot be built, read or written. The text names the file and the reason.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace solitaire

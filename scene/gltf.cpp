@@ -1,0 +1,152 @@
+#include "scene/gltf.h"
+
+#include <fmt/format.h>
+#include <map>
+#include <sstream>
+#include <tiny_gltf.h>
+
+#include "scene/asset_model.h"
+#include "scene/atomic_file.h"
+#include "scene/box_mesh.h"
+#include "scene/error.h"
+#include "scene/extras.h"
+#include "scene/mesh_copy.h"
+#include "scene/names.h"
+#include "scene/verify.h"
+
+namespace solitaire {
+namespace {
+
+constexpr std::size_t kLargestGlb = 0x7fffffff;  // bytes; tinygltf writes offsets as 32-bit ints
+
+bool shows_something(const tinygltf::Model& model, int index) {
+  const auto& node = model.nodes[static_cast<std::size_t>(index)];
+  if (node.mesh != -1) return true;
+  for (const int child : node.children) {
+    if (shows_something(model, child)) return true;
+  }
+  return false;
+}
+
+void set_transform(tinygltf::Node& node, const Transform& transform) {
+  const Transform none;
+  const auto set = [](std::vector<double>& member, const auto& value, const auto& standard) {
+    if (value != standard) member.assign(value.begin(), value.end());
+  };
+  set(node.translation, transform.translation, none.translation);
+  set(node.rotation, transform.rotation, none.rotation);
+  set(node.scale, transform.scale, none.scale);
+}
+
+class ModelBuilder {
+ public:
+  explicit ModelBuilder(const Scene& scene) : scene_(scene) {
+    for (const SceneNode& node : scene.nodes) names_.take(node.name);  // before any node within an asset
+  }
+
+  tinygltf::Model build() {
+    model_.asset.version = "2.0";
+    model_.asset.generator = "Solitaire";
+    model_.buffers.emplace_back();
+    tinygltf::Scene shown;
+    shown.name = scene_.nodes.front().name;
+    shown.nodes.push_back(add(scene_.nodes.front()));
+    model_.scenes.push_back(std::move(shown));
+    model_.defaultScene = 0;
+    if (model_.buffers.front().data.empty()) model_.buffers.clear();
+    return std::move(model_);
+  }
+
+ private:
+  int add(const SceneNode& source) {
+    tinygltf::Node node;
+    node.name = source.name;
+    if (source.object) fill(node, scene_.objects[*source.object]);
+    const int index = append(std::move(node));
+    for (const std::size_t child : source.children) {
+      const int child_index = add(scene_.nodes[child]);
+      model_.nodes[static_cast<std::size_t>(index)].children.push_back(child_index);
+    }
+    return index;
+  }
+
+  void fill(tinygltf::Node& node, const SceneObject& object) {
+    set_transform(node, object.node_transform);
+    node.extras = make_extras(object.placement);
+    if (!object.asset) {
+      node.mesh = boxes_.mesh(object.color);
+    } else if (const AssetModel& model = *object.asset->model; model.is_single_mesh()) {
+      const auto& root = model.gltf.nodes[static_cast<std::size_t>(model.roots.front())];
+      node.mesh = copier(*object.asset).mesh(root.mesh, object.placement.color);
+    } else {
+      node.children = copy_nodes(*object.asset, model.roots, object.placement.color);
+    }
+  }
+
+  std::vector<int> copy_nodes(const Asset& asset, const std::vector<int>& nodes,
+                              const std::optional<Color>& color) {
+    std::vector<int> copies;
+    for (const int index : nodes) {
+      if (shows_something(asset.model->gltf, index)) copies.push_back(copy_node(asset, index, color));
+    }
+    return copies;
+  }
+
+  int copy_node(const Asset& asset, int index, const std::optional<Color>& color) {
+    const auto& source = asset.model->gltf.nodes[static_cast<std::size_t>(index)];
+    tinygltf::Node copy;
+    copy.name = names_.take(source.name.empty() ? asset.name + " part" : source.name);
+    copy.translation = source.translation;
+    copy.rotation = source.rotation;
+    copy.scale = source.scale;
+    copy.matrix = source.matrix;
+    copy.extras = source.extras;
+    if (source.mesh != -1) copy.mesh = copier(asset).mesh(source.mesh, color);
+    copy.children = copy_nodes(asset, source.children, color);
+    return append(std::move(copy));
+  }
+
+  MeshCopier& copier(const Asset& asset) {
+    return copiers_.try_emplace(&asset, *asset.model, asset.name, model_).first->second;
+  }
+
+  int append(tinygltf::Node node) {
+    model_.nodes.push_back(std::move(node));
+    return static_cast<int>(model_.nodes.size()) - 1;
+  }
+
+  const Scene& scene_;
+  tinygltf::Model model_;
+  UniqueNames names_;
+  BoxMeshes boxes_{model_};
+  std::map<const Asset*, MeshCopier> copiers_;  // looked up only: its order never shows
+};
+
+}  // namespace
+
+std::string glb_bytes(const Scene& scene) {
+  tinygltf::Model model = ModelBuilder(scene).build();
+  std::ostringstream stream;
+  tinygltf::TinyGLTF writer;
+  if (!writer.WriteGltfSceneToStream(&model, stream, /*prettyPrint=*/false, /*writeBinary=*/true) ||
+      !stream) {
+    throw SceneError("tinygltf could not write the scene");
+  }
+  std::string bytes = std::move(stream).str();
+  if (bytes.size() > kLargestGlb) throw SceneError("the scene is too large for a .glb");
+  return bytes;
+}
+
+void write_glb(const Scene& scene, const std::filesystem::path& path) {
+  try {
+    const std::string bytes = glb_bytes(scene);
+    write_file_atomically(path, bytes,
+                          [&](const std::filesystem::path& written) { verify_glb(written, scene); });
+  } catch (const SceneError& error) {
+    const std::string_view reason = error.what();
+    if (reason.find(path.string()) != std::string_view::npos) throw;
+    throw SceneError(fmt::format("cannot write {}: {}", path.string(), reason));
+  }
+}
+
+}  // namespace solitaire

@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <tiny_gltf.h>
+
+namespace solitaire {
+
+/// Reads a .glb or .gltf with the files that it refers to, which must lie in its own folder or below. Images
+/// are kept as the PNG or JPEG bytes that they are. What is returned has passed check_model. Throws
+/// SceneError.
+tinygltf::Model read_gltf(const std::filesystem::path& file);
+
+/// The nodes that its default scene shows.
+std::vector<int> root_nodes(const tinygltf::Model& model);
+
+}  // namespace solitaire

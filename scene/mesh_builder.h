@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <tiny_gltf.h>
+#include <vector>
+
+#include "scene/geometry.h"
+
+namespace solitaire {
+
+/// Collects triangles and writes them as one glTF primitive.
+class MeshBuilder {
+ public:
+  /// A flat face of three or more corners, counter-clockwise seen from outside. `map` is applied to them.
+  void face(const std::vector<Vec3>& corners, const Affine& map = {});
+  /// The same with a normal for each corner, for rounded surfaces.
+  void face(const std::vector<Vec3>& corners, const std::vector<Vec3>& normals);
+  void box(const Box3& box, const Affine& map = {});
+
+  bool empty() const { return indices_.empty(); }
+  /// Adds its accessors to the model, whose first buffer takes the data.
+  tinygltf::Primitive write(tinygltf::Model& to) const;
+
+ private:
+  std::vector<float> positions_;
+  std::vector<float> normals_;
+  std::vector<std::uint16_t> indices_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,60 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <tiny_gltf.h>
+#include <utility>
+#include <vector>
+
+#include "scene/asset_model.h"
+#include "scene/color.h"
+
+namespace solitaire {
+
+/// Appends bytes to the output's only buffer, 4-byte aligned; returns the new buffer view.
+int append_view(tinygltf::Model& to, const std::vector<unsigned char>& bytes, int target,
+                std::size_t stride = 0);
+
+/// The material as it looks in this colour (as screens show it).
+tinygltf::Material recolored(tinygltf::Material material, const Color& color);
+
+/// Copies meshes of one asset, with the geometry, materials and images that they use, into an output file.
+/// Each is copied once; meshes that differ only in colour share their geometry. Skins and morph targets stay
+/// behind.
+class MeshCopier {
+ public:
+  MeshCopier(const AssetModel& from, std::string asset_name, tinygltf::Model& to)
+      : source_(from), from_(from.gltf), asset_name_(std::move(asset_name)), to_(to) {}
+
+  /// The output's mesh for the asset's mesh; with a colour, its primary material is in that colour.
+  int mesh(int index, const std::optional<Color>& color);
+
+ private:
+  using Variant = std::pair<int, std::string>;  // an index in the asset, a colour's hex text or ""
+
+  tinygltf::Primitive primitive(const tinygltf::Primitive& source, const std::optional<Color>& color);
+  int attribute(const std::string& name, int accessor);
+  int indices(int accessor);
+  int add_accessor(int accessor, int target, std::size_t alignment);
+  int material(int index, const std::optional<Color>& color);
+  tinygltf::Material copied_material(int index);
+  tinygltf::Value remapped(const tinygltf::Value& extension);
+  int texture(int index);
+  int sampler(int index);
+  int image(int index);
+  void use_extensions(const tinygltf::ExtensionMap& extensions);
+
+  const AssetModel& source_;
+  const tinygltf::Model& from_;
+  std::string asset_name_;
+  tinygltf::Model& to_;
+  std::map<Variant, int> meshes_;
+  std::map<Variant, int> materials_;
+  std::map<int, int> attributes_;
+  std::map<int, int> indices_;
+  std::map<int, int> textures_;
+  std::map<int, int> samplers_;
+  std::map<int, int> images_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace solitaire {
+
+/// A name that no importer acts on: valid text, and none of the suffixes ("-col", "_rigid", "-loop", …) nor
+/// the
+/// "$" by which Godot takes a node, mesh or material for something else. "wall_col" becomes "wall_col (1)".
+std::string harmless_name(std::string_view wanted);
+
+/// Hands out harmless names, each one once: "chair", "chair (2)", "chair (3)".
+class UniqueNames {
+ public:
+  std::string take(std::string_view wanted);
+
+ private:
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> last_number_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,157 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <utility>
+
+#include "scene/error.h"
+#include "scene/names.h"
+
+namespace solitaire {
+namespace {
+
+constexpr double kThinnest = 0.001;  // metres; a size of 0 would leave a node that cannot be inverted
+constexpr double kLargest = 1e7;     // metres; beyond it 32-bit floats no longer tell centimetres apart
+
+[[noreturn]] void fail(const Placement& placement, std::string_view what) {
+  throw SceneError(fmt::format("{}: {} ({})", placement.source, what, placement.address));
+}
+
+/// The size of an asset seen from its front: width, depth, height.
+Vec3 natural_size(const Asset& asset) {
+  const Vec3 size = asset.box.size();
+  return asset.front_turns % 2 == 0 ? Vec3{size[0], size[2], size[1]} : Vec3{size[2], size[0], size[1]};
+}
+
+Vec3 size_of(const Placement& placement, const Asset* asset, double unit) {
+  const auto& wanted = placement.size;
+  if (!wanted.empty() && wanted.size() != 2 && wanted.size() != 3)
+    fail(placement, "size needs [w, d] or [w, d, h]");
+  if (wanted.empty()) return asset ? natural_size(*asset) : Vec3{unit, unit, unit};
+  Vec3 size{wanted[0] * unit, wanted[1] * unit, 0};
+  if (wanted.size() == 3) {
+    size[2] = wanted[2] * unit;
+  } else {
+    size[2] = asset ? natural_size(*asset)[2] : std::min(size[0], size[1]);
+  }
+  for (double& length : size) {
+    if (!(length >= 0 && length <= kLargest))
+      fail(placement, "size is negative, not finite or beyond measure");
+    length = std::max(length, kThinnest);
+  }
+  return size;
+}
+
+PlacedBox place_box(const Placement& placement, const Asset* asset, double unit) {
+  PlacedBox box;
+  box.size = size_of(placement, asset, unit);
+  const int turn = ((placement.turn % 4) + 4) % 4;
+  box.angle = placement.angle ? *placement.angle : turn * 90.0;
+  const bool swapped = !placement.angle && turn % 2 == 1;
+  const Vec3 half{box.size[swapped ? 1 : 0] / 2, box.size[swapped ? 0 : 1] / 2, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = placement.at[axis] * unit;
+    if (!(std::abs(low) <= kLargest)) fail(placement, "at is not finite or beyond measure");
+    box.center[axis] = low + half[axis];
+  }
+  if (!std::isfinite(box.angle)) fail(placement, "angle is not finite");
+  return box;
+}
+
+/// The unit box stands on the ground around the origin, as bundled assets do.
+Box3 model_box(const Asset* asset) { return asset ? asset->box : Box3{{-0.5, 0, -0.5}, {0.5, 1, 0.5}}; }
+
+double stretch(double wanted, double natural) { return natural > 0 ? wanted / natural : 1; }
+
+Transform node_transform(const PlacedBox& box, const Asset* asset) {
+  const int front_turns = asset ? asset->front_turns : 0;
+  const Box3 model = model_box(asset);
+  const Vec3 natural = model.size();
+  const bool swapped = front_turns % 2 == 1;
+  Transform transform;
+  transform.rotation = about_up(box.angle + front_turns * 90);
+  transform.scale = {stretch(box.size[swapped ? 1 : 0], natural[0]), stretch(box.size[2], natural[1]),
+                     stretch(box.size[swapped ? 0 : 1], natural[2])};
+  const Vec3 model_base{(model.low[0] + model.high[0]) / 2, model.low[1], (model.low[2] + model.high[2]) / 2};
+  const Vec3 moved = to_affine(transform).apply(model_base);
+  const Vec3 base{box.center[0], box.center[2], -box.center[1]};
+  for (int axis = 0; axis < 3; ++axis) transform.translation[axis] = rounded(base[axis] - moved[axis], 9);
+  return transform;
+}
+
+Color color_of(const Placement& placement, const Asset* asset) {
+  if (placement.color) return *placement.color;
+  return asset ? asset->color : color_of_name(placement.asset);
+}
+
+SceneObject make_object(const Placement& placement, double unit, AssetLibrary& assets) {
+  SceneObject object;
+  object.placement = placement;
+  try {
+    object.asset = assets.find(placement.asset);
+  } catch (const SceneError& error) {
+    fail(placement, error.what());
+  }
+  object.box = place_box(placement, object.asset, unit);
+  object.color = color_of(placement, object.asset);
+  object.node_transform = node_transform(object.box, object.asset);
+  return object;
+}
+
+std::string leaf_name(const SceneObject& object) {
+  if (!object.placement.name.empty()) return object.placement.name;
+  if (object.asset) return object.asset->name;
+  return object.placement.asset.empty() ? "box" : object.placement.asset;
+}
+
+/// Grows the tree of calls.
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(Scene& scene) : scene_(scene) {
+    scene_.nodes.push_back({names_.take(scene.title), {}, {}});
+  }
+
+  void add(std::size_t object) {
+    std::size_t parent = 0;
+    for (const std::string& call : scene_.objects[object].placement.calls) parent = group(parent, call);
+    scene_.nodes[append(parent, leaf_name(scene_.objects[object]))].object = object;
+  }
+
+ private:
+  std::size_t group(std::size_t parent, const std::string& call) {
+    const auto [place, is_new] = groups_.try_emplace({parent, call}, scene_.nodes.size());
+    if (is_new) append(parent, call);
+    return place->second;
+  }
+
+  std::size_t append(std::size_t parent, const std::string& name) {
+    const std::size_t index = scene_.nodes.size();
+    scene_.nodes.push_back({names_.take(name), {}, {}});
+    scene_.nodes[parent].children.push_back(index);
+    return index;
+  }
+
+  Scene& scene_;
+  UniqueNames names_;
+  std::map<std::pair<std::size_t, std::string>, std::size_t> groups_;
+};
+
+}  // namespace
+
+Scene build_scene(const std::vector<Placement>& placements, double unit, const std::string& title,
+                  AssetLibrary& assets) {
+  if (!(unit > 0 && unit <= kLargest)) throw SceneError("the unit must be a positive number of metres");
+  Scene scene;
+  scene.title = title;
+  scene.objects.reserve(placements.size());
+  TreeBuilder tree(scene);
+  for (const Placement& placement : placements) {
+    scene.objects.push_back(make_object(placement, unit, assets));
+    tree.add(scene.objects.size() - 1);
+  }
+  return scene;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,128 @@
+#include "scene/verify.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+#include <tiny_gltf.h>
+#include <unordered_set>
+#include <utility>
+
+#include "scene/accessor_view.h"
+#include "scene/asset_model.h"
+#include "scene/error.h"
+#include "scene/gltf_reader.h"
+#include "scene/text.h"
+
+namespace solitaire {
+namespace {
+
+class Verifier {
+ public:
+  Verifier(const tinygltf::Model& model, const Scene& scene) : model_(model), scene_(scene) {}
+
+  void verify() {
+    check_names();
+    const auto roots = root_nodes(model_);
+    require(roots.size() == 1, "its root", scene_.title);
+    check_node(roots.front(), scene_.nodes.front());
+  }
+
+ private:
+  static void require(bool holds, std::string_view what, const std::string& name) {
+    if (!holds) throw SceneError(fmt::format("read back, {} of \"{}\" differs from the scene", what, name));
+  }
+
+  const tinygltf::Node& node(int index) const { return model_.nodes[static_cast<std::size_t>(index)]; }
+
+  void check_names() const {
+    std::unordered_set<std::string> names;
+    for (const auto& each : model_.nodes) require(names.insert(each.name).second, "the name", each.name);
+  }
+
+  void check_node(int index, const SceneNode& expected) {
+    require(node(index).name == expected.name, "the name", expected.name);
+    if (expected.object) return check_object(index, scene_.objects[*expected.object], expected.name);
+    require(node(index).children.size() == expected.children.size(), "the number of children", expected.name);
+    for (std::size_t i = 0; i < expected.children.size(); ++i) {
+      check_node(node(index).children[i], scene_.nodes[expected.children[i]]);
+    }
+  }
+
+  void check_object(int index, const SceneObject& object, const std::string& name) {
+    const auto& extras = node(index).extras;
+    const bool has_address = extras.Has("address") && extras.Get("address").IsString();
+    require(has_address && extras.Get("address").Get<std::string>() == clean_text(object.placement.address),
+            "the address", name);
+    check_box(index, check_sharing(index, object, name).box, object, name);
+  }
+
+  /// What decides an object's meshes: its asset and its colour.
+  using Look = std::pair<const Asset*, std::string>;
+
+  struct Meshes {
+    std::set<int> indices;
+    Box3 box;  // in the frame of the placed node
+  };
+
+  const Meshes& check_sharing(int index, const SceneObject& object, const std::string& name) {
+    const bool colored = !object.asset || object.placement.color;
+    const auto [place, is_new] = looks_.try_emplace(Look{object.asset, colored ? hex(object.color) : ""});
+    Meshes& known = place->second;
+    Meshes found;
+    collect(index, found.indices);
+    if (is_new) {
+      known.indices = found.indices;
+      include(index, Affine{}, known.box);
+    }
+    require(found.indices == known.indices, "the shared mesh", name);
+    return known;
+  }
+
+  void collect(int index, std::set<int>& meshes) const {
+    if (node(index).mesh != -1) meshes.insert(node(index).mesh);
+    for (const int child : node(index).children) collect(child, meshes);
+  }
+
+  void include(int index, const Affine& map, Box3& box) const {
+    if (node(index).mesh != -1) {
+      for (const auto& primitive : model_.meshes[static_cast<std::size_t>(node(index).mesh)].primitives) {
+        const AccessorView positions(model_, primitive.attributes.at("POSITION"));
+        for (std::size_t i = 0; i < positions.count(); ++i) box.include(map.apply(positions.point(i)));
+      }
+    }
+    for (const int child : node(index).children) include(child, map * local_transform(node(child)), box);
+  }
+
+  /// Compares in the frame of the placed box: the centre of its base at the origin, and not turned.
+  void check_box(int index, const Box3& meshes, const SceneObject& object, const std::string& name) const {
+    const PlacedBox& box = object.box;
+    const Affine unturn = to_affine({{}, about_up(-box.angle), {1, 1, 1}});
+    const Affine uncenter =
+        to_affine({{-box.center[0], -box.center[2], box.center[1]}, {0, 0, 0, 1}, {1, 1, 1}});
+    const Box3 found = transformed(unturn * uncenter * local_transform(node(index)), meshes);
+    const Box3 wanted{{-box.size[0] / 2, 0, -box.size[1] / 2},
+                      {box.size[0] / 2, box.size[2], box.size[1] / 2}};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double tolerance =
+          1e-5 * (1 + std::abs(box.center[0]) + std::abs(box.center[1]) + box.size[axis]);
+      const bool flat = found.size()[axis] < tolerance;  // a flat asset cannot fill its box along this axis
+      require(flat || (std::abs(found.low[axis] - wanted.low[axis]) <= tolerance &&
+                       std::abs(found.high[axis] - wanted.high[axis]) <= tolerance),
+              "the extent", name);
+    }
+  }
+
+  const tinygltf::Model& model_;
+  const Scene& scene_;
+  std::map<Look, Meshes> looks_;
+};
+
+}  // namespace
+
+void verify_glb(const std::filesystem::path& file, const Scene& scene) {
+  const tinygltf::Model model = read_gltf(file);
+  Verifier(model, scene).verify();
+}
+
+}  // namespace solitaire
