@@ -17,3 +17,13 @@ function(solitaire_library name)
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC solitaire_options ${ARGN})
 endfunction()
+
+# solitaire_fuzzer(NAME DEPENDENCY...): NAME.cpp of the current folder as a libFuzzer program, if those are built.
+# bin/fuzz finds it in fuzz/.
+function(solitaire_fuzzer name)
+  if(SOLITAIRE_FUZZ)
+    add_executable(${name} ${name}.cpp)
+    target_link_libraries(${name} PRIVATE solitaire_options ${ARGN} -fsanitize=fuzzer)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz)
+  endif()
+endfunction()
