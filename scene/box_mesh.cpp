@@ -26,7 +26,7 @@ int BoxMeshes::mesh(const Color& color) {
 
 void BoxMeshes::add_geometry() {
   MeshBuilder builder;
-  builder.box({{-0.5, 0, -0.5}, {0.5, 1, 0.5}});
+  builder.add_box({{-0.5, 0, -0.5}, {0.5, 1, 0.5}});
   geometry_ = builder.write(to_);
 }
 

@@ -14,54 +14,54 @@ namespace solitaire {
 namespace {
 
 using nlohmann::json;
-using tinygltf::Value;
+using GltfValue = tinygltf::Value;
 
 constexpr std::size_t kLongestKey = 63;  // bytes, Blender's MAX_IDPROP_NAME without its terminator
 
-std::optional<Value> to_value(const json& source);
+std::optional<GltfValue> to_value(const json& source);
 
 bool fits_int(std::int64_t number) {
   return number >= std::numeric_limits<int>::min() && number <= std::numeric_limits<int>::max();
 }
 
-Value integer(std::int64_t number) {
-  return fits_int(number) ? Value(static_cast<int>(number)) : Value(std::to_string(number));
+GltfValue integer(std::int64_t number) {
+  return fits_int(number) ? GltfValue(static_cast<int>(number)) : GltfValue(std::to_string(number));
 }
 
-std::optional<Value> from_list(const json& source) {
+std::optional<GltfValue> from_list(const json& source) {
   const auto all = [&](auto holds) { return std::all_of(source.begin(), source.end(), holds); };
   const bool uniform =
       all([](const json& e) { return e.is_number(); }) || all([](const json& e) { return e.is_object(); });
   if (source.empty() || !uniform) return std::nullopt;
-  Value::Array list;
+  GltfValue::Array list;
   for (const json& element : source) {
     auto value = to_value(element);
     if (!value || value->IsString()) return std::nullopt;
     list.push_back(std::move(*value));
   }
-  return Value(std::move(list));
+  return GltfValue(std::move(list));
 }
 
-std::optional<Value> from_object(const json& source) {
+std::optional<GltfValue> from_object(const json& source) {
   if (source.empty()) return std::nullopt;
-  Value::Object object;
+  GltfValue::Object object;
   for (const auto& [key, element] : source.items()) {
     auto value = to_value(element);
     if (key.size() > kLongestKey) return std::nullopt;
-    object.emplace(key, value ? std::move(*value) : Value(element.dump()));
+    object.emplace(key, value ? std::move(*value) : GltfValue(element.dump()));
   }
-  return Value(std::move(object));
+  return GltfValue(std::move(object));
 }
 
 /// nullopt for what only JSON text can hold.
-std::optional<Value> to_value(const json& source) {
+std::optional<GltfValue> to_value(const json& source) {
   switch (source.type()) {
     case json::value_t::boolean:
-      return Value(source.get<bool>());
+      return GltfValue(source.get<bool>());
     case json::value_t::string:
-      return Value(clean_text(source.get<std::string>()));
+      return GltfValue(clean_text(source.get<std::string>()));
     case json::value_t::number_float:
-      return Value(source.get<double>());
+      return GltfValue(source.get<double>());
     case json::value_t::number_integer:
       return integer(source.get<std::int64_t>());
     case json::value_t::number_unsigned:
@@ -76,40 +76,40 @@ std::optional<Value> to_value(const json& source) {
   }
 }
 
-Value from_json_text(const Placement& placement, const std::string& name, const std::string& text) {
+GltfValue from_json_text(const Placement& placement, const std::string& name, const std::string& text) {
   const json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded())
     throw SceneError(fmt::format("{}: the value of {} is no JSON", placement.source, name));
   auto value = to_value(parsed);
-  return value ? std::move(*value) : Value(parsed.dump());
+  return value ? std::move(*value) : GltfValue(parsed.dump());
 }
 
-Value choice_value(const AnsweredChoice& choice) {
-  return choice.kind == AnsweredChoice::Kind::kBool ? Value(choice.value != 0) : integer(choice.value);
+GltfValue choice_value(const AnsweredChoice& choice) {
+  return choice.kind == AnsweredChoice::Kind::kBool ? GltfValue(choice.value != 0) : integer(choice.value);
 }
 
-Value choices_value(const std::vector<AnsweredChoice>& choices) {
-  Value::Array list;
+GltfValue choices_value(const std::vector<AnsweredChoice>& choices) {
+  GltfValue::Array list;
   for (const auto& choice : choices) {
     list.emplace_back(
-        Value::Object{{"at", Value(clean_text(choice.address))}, {"value", choice_value(choice)}});
+        GltfValue::Object{{"at", GltfValue(clean_text(choice.address))}, {"value", choice_value(choice)}});
   }
-  return Value(std::move(list));
+  return GltfValue(std::move(list));
 }
 
 }  // namespace
 
-Value make_extras(const Placement& placement) {
-  Value::Object extras;
-  extras["address"] = Value(clean_text(placement.address));
-  extras["source"] = Value(clean_text(placement.source));
+GltfValue make_extras(const Placement& placement) {
+  GltfValue::Object extras;
+  extras["address"] = GltfValue(clean_text(placement.address));
+  extras["source"] = GltfValue(clean_text(placement.source));
   if (!placement.choices.empty()) extras["choices"] = choices_value(placement.choices);
   for (const auto& [name, text] : placement.extras) {
     std::string key = clean_text(name);
     while (extras.contains(key)) key += "_";  // "address", "source" and "choices" stay ours
     extras.emplace(key, from_json_text(placement, name, text));
   }
-  return Value(std::move(extras));
+  return GltfValue(std::move(extras));
 }
 
 }  // namespace solitaire

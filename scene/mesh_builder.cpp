@@ -33,19 +33,12 @@ std::vector<unsigned char> bytes_of(const std::vector<T>& numbers) {
   return bytes;
 }
 
-int add_vectors(tinygltf::Model& to, const std::vector<float>& numbers, bool with_bounds) {
+int add_vectors(tinygltf::Model& to, const std::vector<float>& numbers) {
   tinygltf::Accessor accessor;
   accessor.bufferView = append_view(to, bytes_of(numbers), TINYGLTF_TARGET_ARRAY_BUFFER);
   accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
   accessor.type = TINYGLTF_TYPE_VEC3;
   accessor.count = numbers.size() / 3;
-  if (with_bounds) {
-    Box3 box;
-    for (std::size_t i = 0; i < numbers.size(); i += 3)
-      box.include({numbers[i], numbers[i + 1], numbers[i + 2]});
-    accessor.minValues.assign(box.low.begin(), box.low.end());
-    accessor.maxValues.assign(box.high.begin(), box.high.end());
-  }
   to.accessors.push_back(std::move(accessor));
   return static_cast<int>(to.accessors.size()) - 1;
 }
@@ -84,7 +77,7 @@ void MeshBuilder::face(const std::vector<Vec3>& corners, const std::vector<Vec3>
   }
 }
 
-void MeshBuilder::box(const Box3& box, const Affine& map) {
+void MeshBuilder::add_box(const Box3& box, const Affine& map) {
   // Corners as Box3::corner numbers them, each face counter-clockwise from outside.
   constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                 {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
@@ -94,11 +87,27 @@ void MeshBuilder::box(const Box3& box, const Affine& map) {
   }
 }
 
+void MeshBuilder::move(const Vec3& by) {
+  for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] += static_cast<float>(by[i % 3]);
+}
+
+Box3 MeshBuilder::box() const {
+  Box3 box;
+  for (std::size_t i = 0; i < positions_.size(); i += 3) {
+    box.include({positions_[i], positions_[i + 1], positions_[i + 2]});
+  }
+  return box;
+}
+
 tinygltf::Primitive MeshBuilder::write(tinygltf::Model& to) const {
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.attributes["POSITION"] = add_vectors(to, positions_, true);
-  primitive.attributes["NORMAL"] = add_vectors(to, normals_, false);
+  const int positions = primitive.attributes["POSITION"] = add_vectors(to, positions_);
+  const Box3 bounds = box();
+  auto& accessor = to.accessors[static_cast<std::size_t>(positions)];
+  accessor.minValues.assign(bounds.low.begin(), bounds.low.end());
+  accessor.maxValues.assign(bounds.high.begin(), bounds.high.end());
+  primitive.attributes["NORMAL"] = add_vectors(to, normals_);
   primitive.indices = add_indices(to, indices_);
   return primitive;
 }

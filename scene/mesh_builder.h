@@ -14,9 +14,11 @@ class MeshBuilder {
   void face(const std::vector<Vec3>& corners, const Affine& map = {});
   /// The same with a normal for each corner, for rounded surfaces.
   void face(const std::vector<Vec3>& corners, const std::vector<Vec3>& normals);
-  void box(const Box3& box, const Affine& map = {});
+  void add_box(const Box3& box, const Affine& map = {});
 
-  bool empty() const { return indices_.empty(); }
+  void move(const Vec3& by);
+  Box3 box() const;  // of everything so far
+
   /// Adds its accessors to the model, whose first buffer takes the data.
   tinygltf::Primitive write(tinygltf::Model& to) const;
 

@@ -100,12 +100,6 @@ SceneObject make_object(const Placement& placement, double unit, AssetLibrary& a
   return object;
 }
 
-std::string leaf_name(const SceneObject& object) {
-  if (!object.placement.name.empty()) return object.placement.name;
-  if (object.asset) return object.asset->name;
-  return object.placement.asset.empty() ? "box" : object.placement.asset;
-}
-
 /// Grows the tree of calls.
 class TreeBuilder {
  public:
@@ -116,7 +110,7 @@ class TreeBuilder {
   void add(std::size_t object) {
     std::size_t parent = 0;
     for (const std::string& call : scene_.objects[object].placement.calls) parent = group(parent, call);
-    scene_.nodes[append(parent, leaf_name(scene_.objects[object]))].object = object;
+    scene_.nodes[append(parent, plain_name(scene_.objects[object]))].object = object;
   }
 
  private:
@@ -139,6 +133,12 @@ class TreeBuilder {
 };
 
 }  // namespace
+
+std::string plain_name(const SceneObject& object) {
+  if (!object.placement.name.empty()) return object.placement.name;
+  if (object.asset) return object.asset->name;
+  return object.placement.asset.empty() ? "box" : object.placement.asset;
+}
 
 Scene build_scene(const std::vector<Placement>& placements, double unit, const std::string& title,
                   AssetLibrary& assets) {

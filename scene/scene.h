@@ -41,6 +41,9 @@ struct Scene {
   std::vector<SceneObject> objects;
 };
 
+/// What the object is called before it is made unique: as the program named it, or after its asset.
+std::string plain_name(const SceneObject& object);
+
 /// `unit` is the length of one program unit in metres. Throws SceneError for an asset that cannot be used and
 /// for sizes or places that are no finite, sensible numbers, naming the place call.
 Scene build_scene(const std::vector<Placement>& placements, double unit, const std::string& title,

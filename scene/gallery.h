@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace solitaire {
+
+/// What the page says above the solutions.
+struct GalleryInfo {
+  std::string title;    // the program's name
+  std::string program;  // its file
+  std::string seed;
+  std::vector<std::pair<std::string, std::string>> options;  // further facts: name, value
+};
+
+struct GalleryEntry {
+  std::size_t index = 0;  // of the solution, from 1
+  std::string name;       // "office-0001"
+  std::string plan;       // svg_plan's element, or "" for a program that places nothing
+  std::string glb;        // file names relative to the page; "" for none
+  std::string json;
+  std::string value;  // the solution's value as short text, or ""
+  std::size_t choices = 0;
+};
+
+/// One self-contained HTML page: no script, nothing from a network, the entries in the order given. It holds
+/// two themes and follows the reader's.
+std::string gallery_html(const GalleryInfo& info, const std::vector<GalleryEntry>& entries);
+
+}  // namespace solitaire
