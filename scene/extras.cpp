@@ -105,7 +105,7 @@ GltfValue make_extras(const Placement& placement) {
   extras["source"] = GltfValue(clean_text(placement.source));
   if (!placement.choices.empty()) extras["choices"] = choices_value(placement.choices);
   for (const auto& [name, text] : placement.extras) {
-    std::string key = clean_text(name);
+    std::string key = clean_text(name.substr(0, kLongestKey - 1));  // with room for the "_"
     while (extras.contains(key)) key += "_";  // "address", "source" and "choices" stay ours
     extras.emplace(key, from_json_text(placement, name, text));
   }

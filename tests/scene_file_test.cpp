@@ -1,0 +1,55 @@
+// Whole files or none.
+#include <csignal>
+#include <sys/resource.h>
+
+#include "scene/atomic_file.h"
+#include "tests/scene_fixture.h"
+
+namespace solitaire {
+
+TEST_CASE("scene: a failed write leaves what was there and nothing else") {
+  TemporaryFolder folder;
+  write_file(folder / "a", "before");
+  SUBCASE("no room") {  // a limit on the size of files acts like a full disk
+    rlimit old{};
+    getrlimit(RLIMIT_FSIZE, &old);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{1000, old.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string error = error_of([&] { write_file_atomically(folder / "a", std::string(5000, 'x')); });
+    setrlimit(RLIMIT_FSIZE, &old);
+    std::signal(SIGXFSZ, old_handler);
+    CHECK(error.find((folder / "a").string()) != std::string::npos);
+  }
+  SUBCASE("the check refuses it") {
+    CHECK_THROWS_AS(write_file_atomically(folder / "a", "x", [](const fs::path&) { throw SceneError("no"); }),
+                    SceneError);
+  }
+  SUBCASE("the name is a folder's") {
+    fs::create_directory(folder / "d");
+    CHECK(error_of([&] { write_file_atomically(folder / "d", "x"); }).find("directory") != std::string::npos);
+    fs::remove(folder / "d");
+  }
+  SUBCASE("there is no such folder") {
+    CHECK(error_of([&] { write_file_atomically(folder / "b/c", "x"); }) != "");
+  }
+  CHECK(read_file(folder / "a") == "before");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("scene: a full device is reported") {
+  const std::string error = error_of([] { write_file_atomically("/dev/full", "x"); });
+  CHECK(error == "cannot write /dev/full: No space left on device");
+}
+
+TEST_CASE("scene: a write replaces the file, and through a link the file that it leads to") {
+  TemporaryFolder folder;
+  write_file(folder / "a", "before");
+  fs::create_symlink("a", folder / "link");
+  write_file_atomically(folder / "link", "after");
+  CHECK(read_file(folder / "a") == "after");
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(folder.entries() == 2);
+}
+
+}  // namespace solitaire
