@@ -1,4 +1,5 @@
 #pragma once
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -13,7 +14,7 @@ namespace solitaire {
 /// AddressTable; equal ids are equal addresses.
 struct AddressId {
   std::uint32_t index = 0;
-  friend bool operator==(AddressId, AddressId) = default;
+  friend auto operator<=>(AddressId, AddressId) = default;
 };
 
 /// Interns addresses. Each is its parent and one step more: a site's label, or a loop turn counted from 0.

@@ -3,7 +3,10 @@
 namespace solitaire {
 
 Assignment::Assignment(const Graph& graph, std::function<std::int64_t(std::size_t)> value_of)
-    : graph_(graph), value_of_(std::move(value_of)), states_(graph.size()), values_(graph.size(), Scalar::of(false)) {}
+    : graph_(graph),
+      value_of_(std::move(value_of)),
+      states_(graph.size()),
+      values_(graph.size(), Scalar::of(false)) {}
 
 std::optional<Scalar> Assignment::value(NodeId node) {
   std::vector<NodeId> pending{node};  // an own stack: the graph can be deeper than the machine's

@@ -7,7 +7,8 @@
 
 namespace solitaire {
 
-/// Evaluates nodes under given values of the choices: the specification that solvers' models are held against.
+/// Evaluates nodes under given values of the choices: the specification that solvers' models are held
+/// against.
 class Assignment {
  public:
   /// `value_of` gives each choice variable (by its number in graph.variables()) its value.

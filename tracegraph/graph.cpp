@@ -39,7 +39,8 @@ NodeId Graph::intern(const Node& node) {
   for (; table_[slot] != 0; slot = (slot + 1) & mask) {
     const Node& other = nodes_[table_[slot] - 1];
     const bool same_constant = !node.is_constant() || other.interval == node.interval;
-    if (other.op == node.op && other.operands == node.operands && other.payload == node.payload && same_constant) {
+    if (other.op == node.op && other.operands == node.operands && other.payload == node.payload &&
+        same_constant) {
       return {table_[slot] - 1};
     }
   }
@@ -66,9 +67,12 @@ NodeId Graph::constant(double value) {
 
 NodeId Graph::make_constant(Type type, Scalar value) {
   switch (type) {
-    case Type::kBool: return constant(value.i != 0);
-    case Type::kInt: return constant(value.i);
-    case Type::kFloat: return constant(value.f);
+    case Type::kBool:
+      return constant(value.i != 0);
+    case Type::kInt:
+      return constant(value.i);
+    case Type::kFloat:
+      return constant(value.f);
   }
   return kFalse;
 }
@@ -100,6 +104,21 @@ NodeId Graph::fold(Op op, std::span<const NodeId> operands) {
   return make_constant(row.result, *result);
 }
 
+namespace {
+
+bool is_commutative(Op op) {
+  return op == Op::kAnd || op == Op::kOr || op == Op::kEqInt || op == Op::kEqBool || op == Op::kAdd ||
+         op == Op::kMul;
+}
+
+}  // namespace
+
+/// One order for what can stand in either, so that equals meet: constants last, else the older node first.
+void Graph::order(NodeId& a, NodeId& b) const {
+  const auto rank = [this](NodeId id) { return std::pair(node(id).is_constant(), id.index); };
+  if (rank(b) < rank(a)) std::swap(a, b);
+}
+
 NodeId Graph::apply(Op op, std::initializer_list<NodeId> operands) {
   Node made{op, false, {}, {0, 1}, 0};
   std::array<Interval, 3> intervals;
@@ -122,10 +141,7 @@ NodeId Graph::apply(Op op, std::initializer_list<NodeId> operands) {
     return this->constant(made.interval.lo);
   }
   if (const auto simple = simplify(op, made.args())) return *simple;
-  if ((op == Op::kAnd || op == Op::kOr || op == Op::kEqInt || op == Op::kEqBool) &&
-      made.operands[1].index < made.operands[0].index) {
-    std::swap(made.operands[0], made.operands[1]);  // commutative: one order, so that equals meet
-  }
+  if (is_commutative(op)) order(made.operands[0], made.operands[1]);
   return intern(made);
 }
 

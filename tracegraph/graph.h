@@ -60,10 +60,10 @@ class Graph {
  public:
   struct Node {
     Op op;
-    bool has_float;                 // itself or an operand below it is a float: no bit-vector says it
+    bool has_float;  // itself or an operand below it is a float: no bit-vector says it
     std::array<NodeId, 3> operands{};
-    Interval interval;              // of ints; a constant bool or int is its lower end
-    std::uint64_t payload = 0;      // the bits of a float constant, or the number of a choice
+    Interval interval;          // of ints; a constant bool or int is its lower end
+    std::uint64_t payload = 0;  // the bits of a float constant, or the number of a choice
 
     std::span<const NodeId> args() const { return {operands.data(), operation(op).arity}; }
     Type type() const { return operation(op).result; }
@@ -78,8 +78,8 @@ class Graph {
   NodeId choice(const ChoiceVariable& variable);
 
   /// The operation applied to nodes of its operand types.
-  /// Throws IntegerTooLarge if an int result can leave the exact range, UndefinedOperation if all operands are
-  /// constants for which the operation means nothing.
+  /// Throws IntegerTooLarge if an int result can leave the exact range, UndefinedOperation if all operands
+  /// are constants for which the operation means nothing.
   NodeId apply(Op op, std::initializer_list<NodeId> operands);
 
   NodeId negation(NodeId a) { return apply(Op::kNot, {a}); }
@@ -106,10 +106,13 @@ class Graph {
   NodeId make_constant(Type type, Scalar value);
   NodeId fold(Op op, std::span<const NodeId> operands);
   std::optional<NodeId> simplify(Op op, std::span<const NodeId> operands);
+  std::optional<NodeId> simplify_add(NodeId a, NodeId b);
+  std::optional<NodeId> move_offset(Op op, NodeId a, NodeId b);
   std::optional<NodeId> simplify_and(NodeId a, NodeId b);
   std::optional<NodeId> simplify_or(NodeId a, NodeId b);
   std::optional<NodeId> simplify_ite(Op op, NodeId condition, NodeId a, NodeId b);
   std::optional<NodeId> simplify_equal(NodeId a, NodeId b);
+  void order(NodeId& a, NodeId& b) const;
   bool opposite(NodeId a, NodeId b) const;
   bool is_int(NodeId id, std::int64_t value) const;
   void grow_table();

@@ -24,7 +24,8 @@ struct Interval {
 constexpr Interval hull(Interval a, Interval b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
 constexpr bool disjoint(Interval a, Interval b) { return a.hi < b.lo || b.hi < a.lo; }
 
-/// The fewest bits that hold every value of the interval: unsigned if none is negative, else two's complement.
+/// The fewest bits that hold every value of the interval: unsigned if none is negative, else two's
+/// complement.
 int bit_width(Interval interval);
 
 Interval add(Interval a, Interval b);

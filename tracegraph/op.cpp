@@ -54,6 +54,7 @@ constexpr Type kB = Type::kBool;
 constexpr Type kI = Type::kInt;
 constexpr Type kF = Type::kFloat;
 
+// clang-format off
 constexpr std::array<Operation, kOpCount> kOperations = {{
     {Op::kConstBool, "bool", "", 0, kB, kB, nullptr, nullptr},
     {Op::kConstInt, "int", "", 0, kI, kI, nullptr, nullptr},
@@ -98,6 +99,7 @@ constexpr std::array<Operation, kOpCount> kOperations = {{
     {Op::kLtFloat, "flt", "<", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f < a[1].f); }, nullptr},
     {Op::kLeFloat, "fle", "<=", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f <= a[1].f); }, nullptr},
 }};
+// clang-format on
 
 constexpr bool complete() {
   for (std::size_t i = 0; i < kOpCount; ++i) {
@@ -117,9 +119,12 @@ const Operation& operation(Op op) { return kOperations[static_cast<std::size_t>(
 
 Op ite_of(Type type) {
   switch (type) {
-    case Type::kBool: return Op::kIteBool;
-    case Type::kInt: return Op::kIteInt;
-    case Type::kFloat: return Op::kIteFloat;
+    case Type::kBool:
+      return Op::kIteBool;
+    case Type::kInt:
+      return Op::kIteInt;
+    case Type::kFloat:
+      return Op::kIteFloat;
   }
   return Op::kIteInt;
 }

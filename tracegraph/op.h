@@ -12,6 +12,7 @@ enum class Type : std::uint8_t { kBool, kInt, kFloat };
 
 /// The operations of the trace graph. One table (operation()) says everything about each of them but how a
 /// solver encodes it, which smt/encode.cpp says in a table of the same order.
+// clang-format off
 enum class Op : std::uint8_t {
   kConstBool, kConstInt, kConstFloat, kChoice,
   kNot, kAnd, kOr, kEqBool, kIteBool,
@@ -21,6 +22,7 @@ enum class Op : std::uint8_t {
   kEqFloat, kLtFloat, kLeFloat,
   kCount_
 };
+// clang-format on
 inline constexpr std::size_t kOpCount = static_cast<std::size_t>(Op::kCount_);
 
 /// A constant of any type, untagged: `i` for ints and, as 0 or 1, bools; `f` for floats.

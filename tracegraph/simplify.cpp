@@ -1,11 +1,12 @@
-// The identities that Graph::apply knows. Each returns the simpler node, or nothing; none makes a node that is
-// larger than the one asked for.
+// The identities that Graph::apply knows. Each returns the simpler node, or nothing; none makes a node that
+// is larger than the one asked for.
 #include "tracegraph/graph.h"
 
 namespace solitaire {
 
 bool Graph::opposite(NodeId a, NodeId b) const {
-  return (node(a).op == Op::kNot && node(a).operands[0] == b) || (node(b).op == Op::kNot && node(b).operands[0] == a);
+  return (node(a).op == Op::kNot && node(a).operands[0] == b) ||
+         (node(b).op == Op::kNot && node(b).operands[0] == a);
 }
 
 bool Graph::is_int(NodeId id, std::int64_t value) const {
@@ -18,8 +19,10 @@ std::optional<NodeId> Graph::simplify(Op op, std::span<const NodeId> args) {
     case Op::kNot:
       if (node(args[0]).op == Op::kNot) return node(args[0]).operands[0];
       return std::nullopt;
-    case Op::kAnd: return simplify_and(args[0], args[1]);
-    case Op::kOr: return simplify_or(args[0], args[1]);
+    case Op::kAnd:
+      return simplify_and(args[0], args[1]);
+    case Op::kOr:
+      return simplify_or(args[0], args[1]);
     case Op::kEqBool:
       if (args[0] == args[1]) return kTrue;
       if (opposite(args[0], args[1])) return kFalse;
@@ -30,14 +33,13 @@ std::optional<NodeId> Graph::simplify(Op op, std::span<const NodeId> args) {
       return std::nullopt;
     case Op::kIteBool:
     case Op::kIteInt:
-    case Op::kIteFloat: return simplify_ite(op, args[0], args[1], args[2]);
+    case Op::kIteFloat:
+      return simplify_ite(op, args[0], args[1], args[2]);
     case Op::kAdd:
-      if (is_int(args[0], 0)) return args[1];
-      if (is_int(args[1], 0)) return args[0];
-      return std::nullopt;
+      return simplify_add(args[0], args[1]);
     case Op::kSub:
-      if (is_int(args[1], 0)) return args[0];
       if (args[0] == args[1]) return constant(std::int64_t{0});
+      if (node(args[1]).is_constant()) return apply(Op::kAdd, {args[0], constant(-interval(1).lo)});
       return std::nullopt;
     case Op::kMul:
       if (is_int(args[0], 1)) return args[1];
@@ -57,17 +59,46 @@ std::optional<NodeId> Graph::simplify(Op op, std::span<const NodeId> args) {
     case Op::kAbs:
       if (interval(0).lo >= 0) return args[0];
       return std::nullopt;
-    case Op::kEqInt: return simplify_equal(args[0], args[1]);
+    case Op::kEqInt:
+      return simplify_equal(args[0], args[1]);
     case Op::kLtInt:
       if (interval(0).hi < interval(1).lo) return kTrue;
       if (args[0] == args[1] || interval(0).lo >= interval(1).hi) return kFalse;
-      return std::nullopt;
+      return move_offset(op, args[0], args[1]);
     case Op::kLeInt:
       if (args[0] == args[1] || interval(0).hi <= interval(1).lo) return kTrue;
       if (interval(0).lo > interval(1).hi) return kFalse;
+      return move_offset(op, args[0], args[1]);
+    default:
       return std::nullopt;
-    default: return std::nullopt;
   }
+}
+
+/// x + 0 is x, and (x + 1) + 2 is x + 3; the constant stands on the right.
+std::optional<NodeId> Graph::simplify_add(NodeId a, NodeId b) {
+  if (node(a).is_constant()) std::swap(a, b);
+  if (!node(b).is_constant()) return std::nullopt;
+  if (is_int(b, 0)) return a;
+  const Node inner = node(a);
+  if (inner.op != Op::kAdd || !node(inner.operands[1]).is_constant()) return std::nullopt;
+  const std::int64_t offset = node(inner.operands[1]).interval.lo + node(b).interval.lo;
+  if (!is_exact(offset)) return std::nullopt;
+  return apply(Op::kAdd, {inner.operands[0], constant(offset)});
+}
+
+/// x + 2 < 5 is x < 3: comparisons with constants are about the variables themselves.
+std::optional<NodeId> Graph::move_offset(Op op, NodeId a, NodeId b) {
+  const auto moved = [this](NodeId sum, NodeId limit) -> std::optional<std::pair<NodeId, NodeId>> {
+    const Node inner = node(sum);
+    if (inner.op != Op::kAdd || !node(inner.operands[1]).is_constant() || !node(limit).is_constant())
+      return std::nullopt;
+    const std::int64_t rest = node(limit).interval.lo - node(inner.operands[1]).interval.lo;
+    if (!is_exact(rest)) return std::nullopt;
+    return std::pair(inner.operands[0], constant(rest));
+  };
+  if (const auto left = moved(a, b)) return apply(op, {left->first, left->second});
+  if (const auto right = moved(b, a)) return apply(op, {right->second, right->first});
+  return std::nullopt;
 }
 
 std::optional<NodeId> Graph::simplify_and(NodeId a, NodeId b) {
@@ -98,8 +129,10 @@ std::optional<NodeId> Graph::simplify_ite(Op op, NodeId condition, NodeId a, Nod
   if (condition == kTrue || a == b) return a;
   if (condition == kFalse) return b;
   if (node(condition).op == Op::kNot) return apply(op, {node(condition).operands[0], b, a});
-  if (node(a).op == op && node(a).operands[0] == condition) return apply(op, {condition, node(a).operands[1], b});
-  if (node(b).op == op && node(b).operands[0] == condition) return apply(op, {condition, a, node(b).operands[2]});
+  if (node(a).op == op && node(a).operands[0] == condition)
+    return apply(op, {condition, node(a).operands[1], b});
+  if (node(b).op == op && node(b).operands[0] == condition)
+    return apply(op, {condition, a, node(b).operands[2]});
   if (op != Op::kIteBool) return std::nullopt;
   if (a == kTrue || a == condition) return disjunction(condition, b);
   if (a == kFalse) return conjunction(negation(condition), b);
@@ -111,8 +144,9 @@ std::optional<NodeId> Graph::simplify_ite(Op op, NodeId condition, NodeId a, Nod
 std::optional<NodeId> Graph::simplify_equal(NodeId a, NodeId b) {
   if (a == b) return kTrue;
   if (disjoint(node(a).interval, node(b).interval)) return kFalse;
-  if (node(b).op == Op::kIteInt) std::swap(a, b);
+  if (node(a).op == Op::kConstInt) std::swap(a, b);
   if (node(b).op != Op::kConstInt) return std::nullopt;
+  if (node(a).op == Op::kAdd) return move_offset(Op::kEqInt, a, b);
   // if(c, 10, -5) == 10 is c.
   const Node phi = node(a);
   if (phi.op == Op::kIteInt && node(phi.operands[1]).is_constant() && node(phi.operands[2]).is_constant()) {

@@ -19,11 +19,11 @@ struct TraceChoice {
 
 /// Why an execution is ruled out.
 enum class Requirement : std::uint8_t {
-  kAssert,     // an assert of the program
-  kRange,      // a choice lies between ends that depend on other choices
-  kNotEmpty,   // there is something to choose from
-  kIndex,      // a list has an element at that index
-  kDivisor,    // a divisor is not zero
+  kAssert,    // an assert of the program
+  kRange,     // a choice lies between ends that depend on other choices
+  kNotEmpty,  // there is something to choose from
+  kIndex,     // a list has an element at that index
+  kDivisor,   // a divisor is not zero
 };
 
 /// What must hold in every solution: guard implies condition.
@@ -44,8 +44,8 @@ struct TracePlaced {
   std::vector<NodeId> depends;
 };
 
-/// One side of an undecided branch, named by the branch's address; or, as a cut, a point where a pass ran out of
-/// the steps it was granted.
+/// One side of an undecided branch, named by the branch's address; or, as a cut, a point where a pass ran out
+/// of the steps it was granted.
 struct BranchSide {
   enum class Kind : std::uint8_t { kThen, kElse, kCut };
   AddressId branch;
@@ -60,12 +60,14 @@ struct TraceBlocker {
   Span span;
 };
 
-/// What a concrete execution would report as an error of the program.
+/// What a concrete execution would report as an error of the program, or, where it would not, what the pass
+/// could not express.
 struct TraceMistake {
   NodeId guard;
   AddressId address;
   Span span;
   std::string message;
+  std::string help;
 };
 
 /// What one symbolic evaluation found, in program order: section 4.1.5's trace graph, seen from its effects.
@@ -77,9 +79,10 @@ struct Trace {
   std::vector<TraceMistake> mistakes;
 };
 
-/// Collects a Trace during an evaluation. Effects go into the current segment with guards that are relative to
-/// the segment's start. A call that several exclusive branches share is evaluated once, as a segment with
-/// several callers; finish() makes every guard absolute: the segment's entry is the disjunction of its callers'.
+/// Collects a Trace during an evaluation. Effects go into the current segment with guards that are relative
+/// to the segment's start. A call that several exclusive branches share is evaluated once, as a segment with
+/// several callers; finish() makes every guard absolute: the segment's entry is the disjunction of its
+/// callers'.
 class TraceRecorder {
  public:
   using SegmentId = std::uint32_t;

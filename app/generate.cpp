@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/search.h"
+#include "app/solution_json.h"
+#include "scene/assets.h"
+#include "scene/atomic_file.h"
+#include "scene/gallery.h"
+#include "scene/gltf.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+
+namespace solitaire {
+namespace {
+
+constexpr const char* kEngine = "tracing/z3";
+/// How much of a solution's value the gallery shows.
+constexpr std::size_t kShownValue = 400;
+
+std::string shortened(std::string text) {
+  if (text.size() <= kShownValue) return text;
+  std::size_t end = kShownValue;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    --end;  // not within a character
+  return text.substr(0, end) + " …";
+}
+
+/// Writes a solution's files as it is found, and at the end the page that shows them all.
+class Output {
+ public:
+  Output(const Session& session, const Options& options)
+      : session_(session), options_(options), assets_(data_folder() / "assets", session.program().folder()) {
+    std::error_code error;
+    std::filesystem::create_directories(options.output, error);
+    if (!std::filesystem::is_directory(options.output)) {
+      throw FileError(options.output.string(), error ? error.message() : "is not a folder");
+    }
+  }
+
+  void add(std::uint64_t number, const Solution& solution, const TracingEngine& engine) {
+    const std::string name = fmt::format("{}-{:04}", session_.name(), number);
+    GalleryEntry entry;
+    entry.index = number;
+    entry.name = name;
+    entry.json = name + ".json";
+    entry.choices = solution.choices.size();
+    if (!solution.execution.placements.empty()) {
+      const Scene scene = build_scene(solution.execution.placements, solution.execution.unit, name, assets_);
+      entry.glb = name + ".glb";
+      entry.plan = svg_plan(scene);
+      write_glb(scene, options_.output / entry.glb);
+    }
+    if (!solution.execution.value.is<Value::Nil>())
+      entry.value = shortened(to_text(solution.execution.value));
+    write_file_atomically(options_.output / entry.json, json(name, number, solution, engine));
+    entries_.push_back(std::move(entry));
+  }
+
+  void write_gallery() const {
+    GalleryInfo info{session_.name(),
+                     std::filesystem::path(options_.script).filename().string(),
+                     std::to_string(options_.seed),
+                     {}};
+    for (const std::string& setting : options_.settings) {
+      const std::size_t sign = setting.find('=');
+      info.options.emplace_back(setting.substr(0, sign), setting.substr(sign + 1));
+    }
+    write_file_atomically(options_.output / "index.html", gallery_html(info, entries_));
+  }
+
+ private:
+  std::string json(const std::string& name, std::uint64_t number, const Solution& solution,
+                   const TracingEngine& engine) const {
+    nlohmann::ordered_json file{{"name", name},
+                                {"index", number},
+                                {"program", std::filesystem::path(options_.script).filename().string()},
+                                {"params", nlohmann::ordered_json::object()},
+                                {"seed", options_.seed},
+                                {"engine", kEngine}};
+    for (const auto& [param, value] : session_.params())
+      file["params"][param] = nlohmann::ordered_json::parse(to_json(value));
+    file.update(solution_json(solution, engine.addresses()));
+    if (options_.timings) {
+      const TracingTimes& times = engine.times();
+      file["timings"] = {{"explore", times.explore},
+                         {"encode", times.encode},
+                         {"solve", times.solve},
+                         {"replay", times.replay}};
+    }
+    return json_text(file, 1) + "\n";
+  }
+
+  const Session& session_;
+  const Options& options_;
+  AssetLibrary assets_;
+  std::vector<GalleryEntry> entries_;
+};
+
+}  // namespace
+
+ExitStatus generate(const Options& options) {
+  const Session session(options);
+  Search search(session, options);
+  Output output(session, options);
+  const ExitStatus status = search.run([&](std::uint64_t number, const Solution& solution) {
+    output.add(number, solution, search.engine());
+    if (options.json) {
+      nlohmann::ordered_json line{{"index", number}};
+      line.update(solution_json(solution, search.engine().addresses()));
+      fmt::print("{}\n", json_text(line));
+      std::fflush(stdout);
+    }
+  });
+  if (search.solutions() > 0) {
+    output.write_gallery();
+    if (!options.quiet) fmt::print(stderr, "see {}\n", (options.output / "index.html").string());
+  }
+  return status;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,93 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/large_stack.h"
+#include "app/session.h"
+#include "scene/error.h"
+
+namespace solitaire {
+namespace {
+
+using Command = ExitStatus (*)(const Options&);
+
+/// The exit status of a command, whatever comes out of it.
+ExitStatus run(Command command, const Options& options) {
+  try {
+    return command(options);
+  } catch (const Reported& reported) {
+    return reported.status;
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "error: a limit came before anything was found\n");
+    return kLimit;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: out of memory\n");
+    return kLimit;
+  } catch (const InternalError& error) {
+    fmt::print(stderr,
+               "internal error: {}\nThis is a fault of solitaire, not of the program. Please report it with "
+               "the script.\n",
+               error.what());
+    return kError;
+  } catch (const std::exception& error) {  // FileError, SceneError: files that cannot be read or written
+    fmt::print(stderr, "error: {}\n", error.what());
+    return kError;
+  }
+}
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app("Solitaire: scripts with choices and constraints, solved into many different 3D scenes.");
+  app.name("solitaire");
+  app.set_version_flag("--version", std::string("solitaire ") + SOLITAIRE_VERSION);
+  app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "what this command does and takes");
+
+  Options generate_options;
+  generate_options.count = 8;
+  generate_options.distinct = Distinct::kResult;
+  CLI::App* generating = app.add_subcommand(
+      "generate", "find solutions and write each as a 3D scene (.glb), with a page that shows all");
+  add_program_options(*generating, generate_options);
+  add_search_options(*generating, generate_options);
+  generating->add_option("-o,--output", generate_options.output, "the folder to write to (default out)");
+  generating->add_flag("--json", generate_options.json, "also print solutions, a JSON object a line");
+  generating->add_flag("--timings", generate_options.timings,
+                       "keep the times in the .json files, which then differ from run to run");
+
+  Options solve_options;
+  CLI::App* solving = app.add_subcommand("solve", "find solutions and print them");
+  add_program_options(*solving, solve_options);
+  add_search_options(*solving, solve_options);
+  solving->add_flag("--json", solve_options.json, "a JSON object a line");
+
+  Options check_options;
+  CLI::App* checking = app.add_subcommand("check", "look for mistakes in a program");
+  add_program_options(*checking, check_options);
+
+  Options trace_options;
+  CLI::App* tracing = app.add_subcommand("trace", "print the trace graph of a program");
+  add_program_options(*tracing, trace_options);
+  tracing
+      ->add_option("--format", trace_options.format, "text (default), dot for Graphviz, or smt2 for solvers")
+      ->check(CLI::IsMember({"text", "dot", "smt2"}));
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDelivered : kUsage;
+  }
+  if (generating->parsed()) return run(generate, generate_options);
+  if (solving->parsed()) return run(solve, solve_options);
+  if (checking->parsed()) return run(check, check_options);
+  return run(trace_graph, trace_options);
+}
+
+}  // namespace
+}  // namespace solitaire
+
+int main(int argc, char** argv) {
+  solitaire::catch_interrupts();
+  int status = solitaire::kError;
+  solitaire::run_on_large_stack([&] { status = solitaire::run_command_line(argc, argv); });
+  return status;
+}

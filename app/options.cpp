@@ -1,0 +1,82 @@
+#include "app/options.h"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace solitaire {
+namespace {
+
+std::optional<std::uint64_t> random_executions(const std::string& text) {
+  constexpr std::string_view kPrefix = "random:";
+  if (text.compare(0, kPrefix.size(), kPrefix) != 0) return std::nullopt;
+  std::uint64_t count = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + kPrefix.size(), end, count);
+  if (error != std::errc{} || stop != end || count == 0) return std::nullopt;
+  return count;
+}
+
+std::string check_exploration(const std::string& text) {
+  if (text == "demand" || random_executions(text)) return "";
+  return fmt::format(
+      "'{}' is no way to explore: there are demand and random:N, N a number of executions from 1", text);
+}
+
+std::string check_setting(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  return sign == std::string::npos || sign == 0 ? fmt::format("'{}' is not of the form NAME=VALUE", text)
+                                                : "";
+}
+
+}  // namespace
+
+Exploration Options::exploration() const {
+  const auto executions = random_executions(explore);
+  if (!executions) return {};
+  return {Exploration::Policy::kRandom, *executions};
+}
+
+void add_program_options(CLI::App& command, Options& options) {
+  command.add_option("FILE", options.script, "the script, a .sol file")->required();
+  command
+      .add_option("--set", options.settings,
+                  "set a param of the program: NAME=VALUE; can be given several times")
+      ->check(CLI::Validator(check_setting, "NAME=VALUE"))
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--seed", options.seed, "same seed, program and options: same output (default 0)");
+  command
+      .add_option(
+          "--explore", options.explore,
+          "which paths to cover: 'demand' (default) opens what stands in the way of a solution; 'random:N' "
+          "only what N random executions take")
+      ->check(CLI::Validator(check_exploration, "demand|random:N"));
+  command
+      .add_option("--max-steps", options.max_steps,
+                  "steps after which one execution counts as endless (default 10000000)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--max-depth", options.max_depth,
+                  "calls within each other after which a recursion counts as endless (default 10000)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was found")
+      ->check(CLI::NonNegativeNumber);
+  command.add_flag("-q,--quiet", options.quiet, "no progress and no summary");
+}
+
+void add_search_options(CLI::App& command, Options& options) {
+  auto* count =
+      command.add_option("-n", options.count, fmt::format("how many solutions (default {})", options.count))
+          ->check(CLI::PositiveNumber);
+  command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
+      ->excludes(count);
+  command
+      .add_option("--distinct", options.distinct,
+                  "what makes two solutions different: their choices, or the result (value and scene)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Distinct>{{"choices", Distinct::kChoices},
+                                                                          {"result", Distinct::kResult}})
+                      .description("choices|result"));
+}
+
+}  // namespace solitaire

@@ -1,0 +1,51 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engines/explore.h"
+
+namespace solitaire {
+
+/// Exit statuses of every subcommand.
+enum ExitStatus : int {
+  kDelivered = 0,   // what was asked for
+  kNoSolution = 1,  // proved that there is no (further) solution where one was asked for
+  kUsage = 2,
+  kError = 3,  // in the program, or a file that cannot be read or written
+  kLimit = 4,  // time, memory, steps or an interrupt came first; what was found is kept
+};
+
+enum class Distinct : std::uint8_t { kChoices, kResult };
+
+/// What the command line asks for.
+struct Options {
+  std::string script;
+  std::vector<std::string> settings;  // NAME=VALUE
+  std::uint64_t seed = 0;
+  std::uint64_t count = 1;
+  bool all = false;
+  Distinct distinct = Distinct::kChoices;
+  std::filesystem::path output = "out";
+  bool json = false;
+  bool timings = false;
+  bool quiet = false;
+  std::optional<double> timeout;  // seconds, for the whole run
+  std::string explore = "demand";
+  std::uint64_t max_steps = Limits{}.max_steps;
+  std::uint32_t max_depth = Limits{}.max_depth;
+  std::string format = "text";
+
+  Exploration exploration() const;
+};
+
+/// Adds the options that every subcommand shares.
+void add_program_options(CLI::App& command, Options& options);
+/// Adds the options of the subcommands that look for solutions.
+void add_search_options(CLI::App& command, Options& options);
+
+}  // namespace solitaire

@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+
+#include "app/options.h"
+#include "engines/tracing.h"
+#include "solitaire/program.h"
+
+namespace solitaire {
+
+/// The signal that Ctrl-C gives; it is also what --timeout ends.
+StopSignal& stop_signal();
+/// Lets Ctrl-C and a request to terminate end the work in good order; a second Ctrl-C ends it at once.
+void catch_interrupts();
+
+/// A script that is loaded, with its params set: what every subcommand starts from.
+class Session {
+ public:
+  /// Throws Reported after it told of the program's mistakes.
+  explicit Session(const Options& options);
+
+  const Program& program() const { return program_; }
+  const ParamValues& params() const { return params_; }
+  TracingOptions tracing_options() const;
+  /// The script's name without folder and ending.
+  std::string name() const;
+
+ private:
+  const Options& options_;
+  Program program_;
+  ParamValues params_;
+};
+
+/// Thrown where everything was said already; the exit status is all that is left.
+struct Reported {
+  ExitStatus status;
+};
+
+/// Shows the mistakes on standard error.
+void report(const ProgramError& error, const SourceSet& sources);
+
+/// The folder with std/ and assets/.
+std::filesystem::path data_folder();
+
+}  // namespace solitaire

@@ -1,0 +1,27 @@
+#include "engines/distinct.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace solitaire {
+namespace {
+
+std::string look(const Placement& placement) {
+  std::string text =
+      fmt::format("{} {} {} {}", json_string(placement.asset), placement.at, placement.size, placement.turn);
+  if (placement.angle) text += fmt::format(" angle {}", *placement.angle);
+  if (placement.color) text += fmt::format(" color {}", *placement.color);
+  return text;
+}
+
+}  // namespace
+
+std::string DistinctResults::key(const Execution& execution) {
+  std::vector<std::string> looks;
+  for (const Placement& placement : execution.placements) looks.push_back(look(placement));
+  std::sort(looks.begin(), looks.end());
+  return fmt::format("{}\n{}", to_json(execution.value), fmt::join(looks, "\n"));
+}
+
+}  // namespace solitaire

@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "solitaire/evaluator.h"
+
+namespace solitaire {
+
+/// An execution in which every assert holds. It has been run: what it says is what the program does.
+struct Solution {
+  std::vector<MetChoice> choices;
+  Execution execution;
+};
+
+/// Why an engine has no further solution.
+enum class Ending : std::uint8_t {
+  kNone,        // it may have one
+  kExhausted,   // proved that there is none
+  kUnexplored,  // there is none on the paths that were explored; others were not looked at
+  kStopped,     // a limit or an interrupt came first
+};
+
+/// Whatever finds solutions of a program, one after the other, each different from those before.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// The next solution, or nothing: then ending() says why.
+  /// Throws ProgramError for mistakes in the program, InternalError if a solver's answer does not hold.
+  virtual std::optional<Solution> next() = 0;
+  virtual Ending ending() const = 0;
+  /// The addresses that solutions' choices refer to.
+  virtual const AddressTable& addresses() const = 0;
+};
+
+/// Solitaire itself is wrong: a model of the formula is not an execution of the program.
+class InternalError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The choices in readable form.
+std::vector<AnsweredChoice> readable(const std::vector<MetChoice>& choices, const AddressTable& addresses);
+
+}  // namespace solitaire

@@ -1,0 +1,46 @@
+#pragma once
+#include <unordered_map>
+
+#include "engines/engine.h"
+
+namespace solitaire {
+
+/// Runs every execution of a program, one after the other, depth first over its choices: the definition of
+/// what the solutions are, and nothing cleverer. For programs whose executions can be counted, and for
+/// testing other engines.
+class ExhaustiveEngine : public Engine {
+ public:
+  ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits);
+
+  std::optional<Solution> next() override;
+  Ending ending() const override { return ending_; }
+  const AddressTable& addresses() const override { return addresses_; }
+  /// Executions run so far, solutions or not.
+  std::uint64_t executions() const { return executions_; }
+
+ private:
+  class Odometer : public Choices {
+   public:
+    std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain& domain) override;
+    /// Goes to the next execution; false if there was none.
+    bool advance();
+    void rewind() { depth_ = 0; }
+
+   private:
+    struct Digit {
+      std::int64_t value, hi, step;
+    };
+    std::vector<Digit> digits_;
+    std::size_t depth_ = 0;
+  };
+
+  const Program& program_;
+  ParamValues params_;
+  Limits limits_;
+  AddressTable addresses_;
+  Odometer odometer_;
+  Ending ending_ = Ending::kNone;
+  std::uint64_t executions_ = 0;
+};
+
+}  // namespace solitaire

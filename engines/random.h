@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+
+#include "solitaire/choices.h"
+#include "tracegraph/hash.h"
+
+namespace solitaire {
+
+/// What a stream of random numbers is for. Streams of different purposes never meet.
+enum class Purpose : std::uint64_t { kExplore = 1, kSolver = 2 };
+
+/// A counter-based stream keyed by (seed, purpose, index): its numbers depend on nothing else, on any
+/// machine.
+class RandomStream {
+ public:
+  RandomStream(std::uint64_t seed, Purpose purpose, std::uint64_t index)
+      : key_(mix(mix(seed, static_cast<std::uint64_t>(purpose)), index)) {}
+
+  std::uint64_t next() { return mix(key_, counter_++); }
+  /// Uniform over 0 .. bound - 1; bound is not 0.
+  std::uint64_t below(std::uint64_t bound) {
+    const std::uint64_t unfair = (UINT64_MAX - bound + 1) % bound;  // 2^64 mod bound numbers too many
+    std::uint64_t number = next();
+    while (number < unfair) number = next();
+    return number % bound;
+  }
+
+ private:
+  std::uint64_t key_;
+  std::uint64_t counter_ = 0;
+};
+
+/// Answers every choice at random, each value of its domain alike.
+class RandomChoices : public Choices {
+ public:
+  explicit RandomChoices(RandomStream stream) : stream_(stream) {}
+
+  std::optional<std::int64_t> answer(AddressId, const ChoiceDomain& domain) override {
+    const auto values = static_cast<std::uint64_t>((domain.hi - domain.lo) / domain.step) + 1;
+    return domain.lo + static_cast<std::int64_t>(stream_.below(values)) * domain.step;
+  }
+
+ private:
+  RandomStream stream_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solitaire/evaluator.h"
+#include "tracegraph/graph.h"
+
+namespace solitaire {
+
+enum class Verdict : std::uint8_t { kSatisfiable, kUnsatisfiable, kStopped };
+
+/// What every solver back end can do with the bool nodes of one trace graph. Conditions are only ever added,
+/// so that what a solver learned stays true; what may be taken back is assumed in a check.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// From now on at least one of the conditions holds. None at all: nothing is satisfiable any more.
+  virtual void add_clause(std::span<const NodeId> conditions) = 0;
+  /// Whether everything added and all of the assumptions can hold together. kStopped if the signal came
+  /// first.
+  virtual Verdict check(std::span<const NodeId> assumptions, const StopSignal& stop) = 0;
+  /// After kSatisfiable: the value of the choice variable with that number.
+  virtual std::int64_t value(std::size_t variable) = 0;
+  /// After kUnsatisfiable: assumptions that cannot hold together with what was added. Empty: nothing assumed
+  /// matters.
+  virtual std::vector<NodeId> core() = 0;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,487 @@
+// The table of builtins and what they do, in the order of the manual.
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "solitaire/evaluation.h"
+
+namespace solitaire {
+namespace {
+
+using Call = const BuiltinCall&;
+
+bool given(const Value& argument) { return !argument.is<Value::Unset>(); }
+Span argument_span(Call call, std::size_t number) {
+  return number < call.site.arguments.size() ? call.site.arguments[number].value->span : call.site.span;
+}
+
+// ---- choices
+
+Value range(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  return evaluator.each_shape(call.arguments[0], [&](const Value& lo) {
+    return evaluator.each_shape(call.arguments[1], [&](const Value& hi) {
+      if (!lo.has_type(Type::kInt) || !hi.has_type(Type::kInt)) {
+        evaluator.mistake(span, fmt::format("'range' chooses an int between two ints, here are {} and {}",
+                                            describe(lo), describe(hi)));
+      }
+      std::int64_t step = 1;
+      if (given(call.arguments[2])) {
+        const auto* known = call.arguments[2].get<std::int64_t>();
+        if (known == nullptr || *known < 1)
+          evaluator.mistake(argument_span(call, 2),
+                            "the step of a range is an int from 1 that is known before any choice");
+        step = *known;
+      }
+      return evaluator.decide(call.site, lo, hi, step, ChoiceKind::kInt);
+    });
+  });
+}
+
+Value flip(Evaluator& evaluator, Call call) {
+  const Value side = evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, 1, ChoiceKind::kBool);
+  return evaluator.equal(side, std::int64_t{1});
+}
+
+Value choose(Evaluator& evaluator, Call call) {
+  const Value& list = call.arguments[0];
+  // One choice for all lengths that the list can have, so that it is the same choice whatever they are.
+  const Value last = evaluator.with_items(
+      list, "choose", argument_span(call, 0),
+      [](const std::vector<Value>& items) { return Value(static_cast<std::int64_t>(items.size()) - 1); });
+  const Value index = evaluator.decide(call.site, std::int64_t{0}, last, 1, ChoiceKind::kIndex);
+  return evaluator.element(list, index, call.site.span);
+}
+
+Value assert_(Evaluator& evaluator, Call call) {
+  std::string message;
+  if (given(call.arguments[1])) {
+    const String* text = call.arguments[1].object<String>();
+    message = text != nullptr ? text->text : to_text(call.arguments[1]);
+  }
+  const NodeId condition = evaluator.condition(call.arguments[0], argument_span(call, 0));
+  evaluator.require(condition, Requirement::kAssert, argument_span(call, 0), message);
+  return Value::nil();
+}
+
+// ---- numbers
+
+Value extreme(Evaluator& evaluator, Call call, Op op) {
+  const Span span = call.site.span;
+  const auto fold = [&](const std::vector<Value>& items) -> Value {
+    if (items.empty()) evaluator.reject(Requirement::kNotEmpty, span);
+    Value best = items.front();
+    for (std::size_t i = 1; i < items.size(); ++i) best = evaluator.pick(op, best, items[i], span);
+    return best;
+  };
+  if (call.arguments.size() > 1) return fold({call.arguments.begin(), call.arguments.end()});
+  return evaluator.with_items(call.arguments[0], operation(op).name.data(), span, fold);
+}
+
+Value minimum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMin); }
+Value maximum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMax); }
+
+Value absolute(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
+    if (!x.is_number()) evaluator.mistake(span, fmt::format("'abs' needs a number, not {}", describe(x)));
+    if (x.has_type(Type::kInt)) return evaluator.unary(Op::kAbs, x, span);
+    return evaluator.pick(Op::kMax, x, evaluator.negated(x, span), span);
+  });
+}
+
+Value modulo(Evaluator& evaluator, Call call) {
+  return evaluator.arithmetic(BinaryOp::kModulo, call.arguments[0], call.arguments[1], call.site.span);
+}
+
+Value float_function(Evaluator& evaluator, Call call, Op op) {
+  const Span span = call.site.span;
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
+    if (!x.is_number())
+      evaluator.mistake(span, fmt::format("'{}' needs a number, not {}", operation(op).name, describe(x)));
+    return evaluator.unary(op, evaluator.to_float(x, span), span);
+  });
+}
+
+Value square_root(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kSqrt); }
+Value sine(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kSin); }
+Value cosine(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kCos); }
+
+Value floor_of(Evaluator& evaluator, Call call) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
+    if (x.has_type(Type::kInt)) return x;
+    if (!x.is_number())
+      evaluator.mistake(call.site.span, fmt::format("'floor' needs a number, not {}", describe(x)));
+    return evaluator.unary(Op::kFloor, x, call.site.span);
+  });
+}
+
+// ---- conditions
+
+/// Both values are there already; the condition only selects.
+Value cond(Evaluator& evaluator, Call call) {
+  const NodeId condition = evaluator.condition(call.arguments[0], argument_span(call, 0));
+  return merge(evaluator.graph(), condition, call.arguments[1], call.arguments[2]);
+}
+
+/// Joins conditions that are given in a list or one by one.
+template <class Join>
+Value fold_conditions(Evaluator& evaluator, Call call, const char* name, bool neutral, Join join) {
+  const auto fold = [&](const std::vector<Value>& items) -> Value {
+    Value result = neutral;
+    for (const Value& item : items) {
+      result = join(result, value_of(evaluator.graph(), evaluator.condition(item, call.site.span)));
+    }
+    return result;
+  };
+  if (call.arguments.size() > 1) return fold({call.arguments.begin(), call.arguments.end()});
+  return evaluator.with_items(call.arguments[0], name, argument_span(call, 0), fold);
+}
+
+Value all(Evaluator& evaluator, Call call) {
+  return fold_conditions(evaluator, call, "all", true,
+                         [&](const Value& a, const Value& b) { return evaluator.both(a, b); });
+}
+
+Value any(Evaluator& evaluator, Call call) {
+  return fold_conditions(evaluator, call, "any", false,
+                         [&](const Value& a, const Value& b) { return evaluator.either(a, b); });
+}
+
+// ---- lists
+
+Value length(Evaluator& evaluator, Call call) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
+    if (const String* text = x.object<String>())
+      return static_cast<std::int64_t>(count_characters(text->text));
+    if (x.as_list() == nullptr)
+      evaluator.mistake(call.site.span, fmt::format("'length' needs a list, not {}", describe(x)));
+    return static_cast<std::int64_t>(x.as_list()->items.size());
+  });
+}
+
+Value sum(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "sum", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                Value total = std::int64_t{0};
+                                for (const Value& item : items)
+                                  total = evaluator.arithmetic(BinaryOp::kAdd, total, item, call.site.span);
+                                return total;
+                              });
+}
+
+Value contains(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "contains", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                Value found = false;
+                                for (const Value& item : items)
+                                  found = evaluator.either(found, evaluator.equal(item, call.arguments[1]));
+                                return found;
+                              });
+}
+
+Value distinct(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(
+      call.arguments[0], "distinct", argument_span(call, 0), [&](const std::vector<Value>& items) {
+        evaluator.step(call.site.span, items.size() * items.size() / 2);
+        Value differ = true;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+          for (std::size_t j = i + 1; j < items.size(); ++j) {
+            differ = evaluator.both(differ, evaluator.invert(evaluator.equal(items[i], items[j])));
+          }
+        }
+        return differ;
+      });
+}
+
+Value pairs(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "pairs", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                evaluator.step(call.site.span, items.size() * items.size() / 2);
+                                std::vector<Value> made;
+                                for (std::size_t i = 0; i < items.size(); ++i) {
+                                  for (std::size_t j = i + 1; j < items.size(); ++j) {
+                                    made.push_back(evaluator.make_list({items[i], items[j]}, call.site.span));
+                                  }
+                                }
+                                return evaluator.make_list(std::move(made), call.site.span);
+                              });
+}
+
+Value zip(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(
+      call.arguments[0], "zip", argument_span(call, 0), [&](const std::vector<Value>& a) {
+        return evaluator.with_items(call.arguments[1], "zip", argument_span(call, 1),
+                                    [&](const std::vector<Value>& b) {
+                                      std::vector<Value> made;
+                                      for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+                                        made.push_back(evaluator.make_list({a[i], b[i]}, call.site.span));
+                                      }
+                                      return evaluator.make_list(std::move(made), call.site.span);
+                                    });
+      });
+}
+
+Value reverse(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "reverse", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                return evaluator.make_list({items.rbegin(), items.rend()}, call.site.span);
+                              });
+}
+
+Value cons(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[1], "cons", argument_span(call, 1),
+                              [&](const std::vector<Value>& items) {
+                                std::vector<Value> made{call.arguments[0]};
+                                made.insert(made.end(), items.begin(), items.end());
+                                evaluator.step(call.site.span, items.size());
+                                return evaluator.make_list(std::move(made), call.site.span);
+                              });
+}
+
+Value car(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "car", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                if (items.empty()) evaluator.reject(Requirement::kIndex, call.site.span);
+                                return items.front();
+                              });
+}
+
+Value cdr(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "cdr", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                if (items.empty()) evaluator.reject(Requirement::kIndex, call.site.span);
+                                evaluator.step(call.site.span, items.size());
+                                return evaluator.make_list({items.begin() + 1, items.end()}, call.site.span);
+                              });
+}
+
+Value null(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "null", argument_span(call, 0),
+                              [](const std::vector<Value>& items) { return Value(items.empty()); });
+}
+
+// ---- text
+
+/// How many values a chosen int may have to be made into text.
+constexpr std::int64_t kMostChosenTexts = 256;
+
+Value str(Evaluator& evaluator, Call call) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
+    if (x.object<String>() != nullptr) return x;
+    const Symbol* symbol = x.get<Symbol>();
+    if (symbol == nullptr) return Value::string(to_text(x));
+    Graph& graph = evaluator.graph();
+    if (symbol->type == Type::kBool)
+      return merge(graph, symbol->node, Value::string("true"), Value::string("false"));
+    const Interval interval = graph.node(symbol->node).interval;
+    if (symbol->type == Type::kFloat || interval.hi - interval.lo >= kMostChosenTexts) {
+      return Value::string("?");  // known when the solution is replayed
+    }
+    Value text = Value::string(std::to_string(interval.hi));
+    for (std::int64_t i = interval.hi - 1; i >= interval.lo; --i) {
+      const NodeId is = graph.apply(Op::kEqInt, {symbol->node, graph.constant(i)});
+      text = merge(graph, is, Value::string(std::to_string(i)), text);
+    }
+    return text;
+  });
+}
+
+Value print(Evaluator& evaluator, Call call) {
+  if (evaluator.symbolic()) return Value::nil();
+  std::string line;
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const String* text = call.arguments[i].object<String>();
+    line += (i == 0 ? "" : " ") + (text != nullptr ? text->text : to_text(call.arguments[i]));
+  }
+  evaluator.execution().printed.push_back(std::move(line));
+  return Value::nil();
+}
+
+// ---- scenes
+
+/// The named colours are the basic ones of CSS, and a few that furniture has.
+constexpr std::pair<std::string_view, std::uint32_t> kColors[] = {
+    {"white", 0xffffff},  {"silver", 0xc0c0c0}, {"gray", 0x808080},   {"grey", 0x808080},
+    {"black", 0x202020},  {"red", 0xc83c32},    {"maroon", 0x800000}, {"orange", 0xe8923a},
+    {"yellow", 0xf0cf4a}, {"olive", 0x808000},  {"green", 0x4c9a4c},  {"lime", 0x9acd32},
+    {"teal", 0x2f8f8f},   {"cyan", 0x5bc8d8},   {"blue", 0x3f6fb5},   {"navy", 0x203864},
+    {"purple", 0x7d4f9e}, {"pink", 0xe79ab0},   {"brown", 0x8b5a2b},  {"beige", 0xe6d8b8},
+};
+
+class PlaceReader {
+ public:
+  PlaceReader(Evaluator& evaluator, Call call) : evaluator_(evaluator), call_(call) {}
+
+  /// Fails where an argument cannot be used; members whose values depend on choices stay as they are.
+  Placement read() {
+    Placement made;
+    made.asset = text("asset", 0, "");
+    const auto at = numbers("at", 1, 2, 3);
+    for (std::size_t i = 0; i < at.size(); ++i) made.at[i] = at[i];
+    made.size = numbers("size", 2, 2, 3);
+    if (!evaluator_.symbolic()) {
+      for (const double extent : made.size) {
+        if (!(extent > 0)) fail("size", fmt::format("is made of positive numbers, not {}", extent));
+      }
+    }
+    if (given(argument(3)) && given(argument(4))) fail("turn", "and angle: give one of them");
+    if (given(argument(3))) made.turn = turn();
+    if (given(argument(4))) made.angle = number("angle", argument(4));
+    if (given(argument(5))) made.color = color();
+    made.name = text("name", 6, "");
+    for (const auto& [name, value] : call_.extras) made.extras.emplace_back(name, to_json(value));
+    return made;
+  }
+
+ private:
+  const Value& argument(std::size_t number) const { return call_.arguments[number]; }
+
+  [[noreturn]] void fail(const char* parameter, const std::string& why) {
+    evaluator_.mistake(call_.site.span, fmt::format("place: '{}' {}", parameter, why));
+  }
+
+  double number(const char* parameter, const Value& value) {
+    if (value.as_union() == nullptr && !value.is_number())
+      fail(parameter, "needs a number, not " + describe(value));
+    if (const auto* i = value.get<std::int64_t>()) return static_cast<double>(*i);
+    if (const auto* d = value.get<double>()) {
+      if (!std::isfinite(*d)) fail(parameter, "is not finite");
+      return *d;
+    }
+    return 0;
+  }
+
+  std::vector<double> numbers(const char* parameter, std::size_t position, std::size_t least,
+                              std::size_t most) {
+    const Value& value = argument(position);
+    if (!given(value) || value.is<Value::Nil>() || value.as_union() != nullptr) return {};
+    const List* list = value.as_list();
+    if (list == nullptr || list->items.size() < least || list->items.size() > most) {
+      fail(parameter, fmt::format("is a list of {} or {} numbers, not {}", least, most, to_text(value)));
+    }
+    std::vector<double> made;
+    for (const Value& item : list->items) made.push_back(number(parameter, item));
+    return made;
+  }
+
+  std::string text(const char* parameter, std::size_t position, std::string usual) {
+    const Value& value = argument(position);
+    if (!given(value) || value.is<Value::Nil>() || value.as_union() != nullptr) return usual;
+    if (value.object<String>() == nullptr) fail(parameter, "is a string, not " + describe(value));
+    return value.object<String>()->text;
+  }
+
+  int turn() {
+    const Value& value = argument(3);
+    if (value.as_union() == nullptr && !value.has_type(Type::kInt))
+      fail("turn", "is a number of quarter turns, not " + describe(value));
+    const auto* known = value.get<std::int64_t>();
+    return known == nullptr ? 0 : static_cast<int>(((*known % 4) + 4) % 4);
+  }
+
+  std::optional<std::array<double, 3>> color() {
+    const Value& value = argument(5);
+    if (value.is<Value::Nil>() || value.as_union() != nullptr) return std::nullopt;
+    if (value.as_list() != nullptr) {
+      const auto parts = numbers("color", 5, 3, 3);
+      for (const double part : parts) {
+        if (part < 0 || part > 1) fail("color", "is a list of red, green and blue, each from 0 to 1");
+      }
+      return std::array<double, 3>{parts[0], parts[1], parts[2]};
+    }
+    const std::string name = text("color", 5, "");
+    std::vector<std::string> names;
+    for (const auto& [known, rgb] : kColors) {
+      if (known == name) return rgb_of(rgb);
+      names.emplace_back(known);
+    }
+    if (name.size() == 7 && name[0] == '#' &&
+        name.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos) {
+      return rgb_of(static_cast<std::uint32_t>(std::stoul(name.substr(1), nullptr, 16)));
+    }
+    const std::string nearest = nearest_name(name, names);
+    fail("color", fmt::format("has no '{}'; {}", name,
+                              nearest.empty() ? "write \"#rrggbb\" or [red, green, blue]"
+                                              : fmt::format("did you mean '{}'?", nearest)));
+  }
+
+  static std::array<double, 3> rgb_of(std::uint32_t rgb) {
+    const auto part = [rgb](unsigned shift) { return static_cast<double>((rgb >> shift) & 0xffU) / 255; };
+    return {part(16), part(8), part(0)};
+  }
+
+  Evaluator& evaluator_;
+  Call call_;
+};
+
+Value place(Evaluator& evaluator, Call call) {
+  evaluator.place(PlaceReader(evaluator, call).read(), call.site, call.arguments);
+  return Value::nil();
+}
+
+Value unit(Evaluator& evaluator, Call call) {
+  const Value& metres = call.arguments[0];
+  if (metres.is<Symbol>() || metres.as_union() != nullptr) return Value::nil();
+  const double value = metres.is<std::int64_t>() ? static_cast<double>(*metres.get<std::int64_t>())
+                       : metres.is<double>()     ? *metres.get<double>()
+                                                 : 0;
+  if (!(value > 0)) evaluator.mistake(call.site.span, "a unit is a positive number of metres");
+  evaluator.execution().unit = value;
+  return Value::nil();
+}
+
+std::vector<Builtin> make_table() {
+  constexpr bool kVariadic = true;
+  constexpr bool kExtras = true;
+  constexpr bool kChoice = true;
+  return {
+      {"range", {"lo", "hi", "step"}, 2, false, false, kChoice, range},
+      {"flip", {}, 0, false, false, kChoice, flip},
+      {"choose", {"list"}, 1, false, false, kChoice, choose},
+      {"assert", {"condition", "message"}, 1, false, false, false, assert_},
+      {"min", {"list"}, 1, kVariadic, false, false, minimum},
+      {"max", {"list"}, 1, kVariadic, false, false, maximum},
+      {"abs", {"x"}, 1, false, false, false, absolute},
+      {"mod", {"a", "b"}, 2, false, false, false, modulo},
+      {"floor", {"x"}, 1, false, false, false, floor_of},
+      {"sqrt", {"x"}, 1, false, false, false, square_root},
+      {"sin", {"x"}, 1, false, false, false, sine},
+      {"cos", {"x"}, 1, false, false, false, cosine},
+      {"cond", {"condition", "then", "otherwise"}, 3, false, false, false, cond},
+      {"all", {"conditions"}, 1, kVariadic, false, false, all},
+      {"any", {"conditions"}, 1, kVariadic, false, false, any},
+      {"length", {"list"}, 1, false, false, false, length},
+      {"sum", {"list"}, 1, false, false, false, sum},
+      {"contains", {"list", "value"}, 2, false, false, false, contains},
+      {"distinct", {"list"}, 1, false, false, false, distinct},
+      {"pairs", {"list"}, 1, false, false, false, pairs},
+      {"zip", {"a", "b"}, 2, false, false, false, zip},
+      {"reverse", {"list"}, 1, false, false, false, reverse},
+      {"cons", {"first", "rest"}, 2, false, false, false, cons},
+      {"car", {"list"}, 1, false, false, false, car},
+      {"cdr", {"list"}, 1, false, false, false, cdr},
+      {"null", {"list"}, 1, false, false, false, null},
+      {"str", {"value"}, 1, false, false, false, str},
+      {"print", {}, 0, kVariadic, false, false, print},
+      {"place", {"asset", "at", "size", "turn", "angle", "color", "name"}, 0, false, kExtras, false, place},
+      {"unit", {"metres"}, 1, false, false, false, unit},
+  };
+}
+
+}  // namespace
+
+const std::vector<Builtin>& builtins() {
+  static const std::vector<Builtin> table = make_table();
+  return table;
+}
+
+std::optional<std::uint32_t> find_builtin(std::string_view name) {
+  const auto& table = builtins();
+  const auto it =
+      std::find_if(table.begin(), table.end(), [&](const Builtin& builtin) { return builtin.name == name; });
+  if (it == table.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(it - table.begin());
+}
+
+}  // namespace solitaire

@@ -1,0 +1,77 @@
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "solitaire/choices.h"
+#include "solitaire/execution.h"
+#include "solitaire/program.h"
+#include "solitaire/value.h"
+
+namespace solitaire {
+
+/// A wish to stop, from another thread or by the clock; long work looks at it now and then.
+class StopSignal {
+ public:
+  using Clock = std::chrono::steady_clock;
+  void request() { requested_.store(true, std::memory_order_relaxed); }
+  void set_deadline(Clock::time_point deadline) { deadline_ = deadline; }
+  bool requested() const { return requested_.load(std::memory_order_relaxed); }
+  bool stopped() const { return requested() || (deadline_ && Clock::now() >= *deadline_); }
+
+ private:
+  std::atomic<bool> requested_ = false;
+  std::optional<Clock::time_point> deadline_;
+};
+
+/// What bounds an evaluation.
+struct Limits {
+  std::uint64_t max_steps = 10'000'000;  // statements, calls and elements of one execution
+  std::uint32_t max_depth = 10'000;      // calls within each other
+  /// In a symbolic pass: how far a path that only some executions take may go before it is cut. A cut is a
+  /// blocker like a closed side.
+  std::uint64_t fuel_steps = UINT64_MAX;
+  std::uint32_t fuel_depth = UINT32_MAX;
+  /// The evaluation ends with Interrupted once it says so. May be null.
+  const StopSignal* stop = nullptr;
+  /// Executions are not ruled out by failed asserts: for exploring paths rather than finding solutions.
+  bool ignore_asserts = false;
+};
+
+/// Thrown when Limits::stop said so.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Values that replace the params' defaults.
+using ParamValues = std::map<std::string, Value>;
+
+/// Runs the program once with every choice answered. Placements lack AnsweredChoices; whoever knows what an
+/// object depends on adds them. Throws ProgramError for a mistake in the program, Interrupted.
+Execution execute(const Program& program, const ParamValues& params, Choices& choices,
+                  AddressTable& addresses, const Limits& limits, Branches* observer = nullptr);
+
+/// What one symbolic pass found.
+struct SymbolicPass {
+  Trace trace;
+  Value value;              // of the program, where some path came to its end; else Unset
+  std::uint64_t steps = 0;  // evaluated in all
+};
+
+/// Runs the program over all executions at once, as far as `branches` opens it, to which paths come with
+/// `levels` at the start; choices that `choices` does not answer become variables of the graph. Throws
+/// Interrupted. Mistakes in the program become TraceMistakes.
+SymbolicPass trace(const Program& program, const ParamValues& params, Choices& choices, Branches& branches,
+                   std::uint32_t levels, Graph& graph, AddressTable& addresses, const Limits& limits);
+
+/// Reads a param's value from the text of a command line's --set: a constant of the language. A text that is
+/// no constant is taken as a string where the default is one. Throws ProgramError whose spans refer to a
+/// source that is added to `sources`.
+ParamValues read_params(const Program& program,
+                        const std::vector<std::pair<std::string, std::string>>& settings, SourceSet& sources);
+
+}  // namespace solitaire

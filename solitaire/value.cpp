@@ -1,0 +1,176 @@
+#include "solitaire/value.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace solitaire {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+std::string function_name(const Closure& closure) {
+  return closure.function->name.empty() ? "fun" : "fun " + closure.function->name;
+}
+
+/// The shortest text that reads back as the same float, and as a float.
+std::string float_text(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Value& value) {
+  return std::visit(Overloaded{[](Value::Unset) -> Json { return nullptr; },
+                               [](Value::Nil) -> Json { return nullptr; }, [](bool b) -> Json { return b; },
+                               [](std::int64_t i) -> Json { return i; }, [](double d) -> Json { return d; },
+                               [](const Ref<String>& text) -> Json { return text->text; },
+                               [](const Ref<List>& list) -> Json {
+                                 Json array = Json::array();
+                                 for (const Value& item : list->items) array.push_back(json_of(item));
+                                 return array;
+                               },
+                               [](const Ref<Record>& record) -> Json {
+                                 Json object = Json::object();
+                                 for (std::size_t i = 0; i < record->fields.size(); ++i) {
+                                   object[record->type->fields[i].name] = json_of(record->fields[i]);
+                                 }
+                                 return object;
+                               },
+                               [&](const auto&) -> Json { return to_text(value); }},
+                    value.data());
+}
+
+}  // namespace
+
+namespace {
+
+std::uint32_t nesting_of(const std::vector<Value>& members) {
+  std::uint32_t deepest = 0;
+  for (const Value& member : members) deepest = std::max(deepest, nesting(member));
+  return deepest + 1;
+}
+
+bool same_all(const std::vector<Value>& a, const std::vector<Value>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+}  // namespace
+
+List::List(std::vector<Value> values) : items(std::move(values)), nesting(nesting_of(items)) {}
+Record::Record(const RecordStmt* declaration, std::vector<Value> values)
+    : type(declaration), fields(std::move(values)), nesting(nesting_of(fields)) {}
+
+std::uint32_t nesting(const Value& value) {
+  if (const List* list = value.as_list()) return list->nesting;
+  if (const Record* record = value.object<Record>()) return record->nesting;
+  if (const Union* several = value.as_union()) {
+    std::uint32_t deepest = 0;
+    for (const auto& alternative : several->alternatives)
+      deepest = std::max(deepest, nesting(alternative.value));
+    return deepest;
+  }
+  return 0;
+}
+
+bool same(const Value& a, const Value& b) {
+  if (a.identical(b)) return true;
+  if (a.data().index() != b.data().index()) return false;
+  if (const String* text = a.object<String>()) return text->text == b.object<String>()->text;
+  if (const List* list = a.as_list()) return same_all(list->items, b.as_list()->items);
+  if (const Record* record = a.object<Record>()) {
+    return record->type == b.object<Record>()->type && same_all(record->fields, b.object<Record>()->fields);
+  }
+  if (const Closure* closure = a.object<Closure>()) {
+    const Closure* other = b.object<Closure>();
+    return closure->function == other->function && closure->outer == other->outer;
+  }
+  if (const RecordType* type = a.object<RecordType>())
+    return type->declaration == b.object<RecordType>()->declaration;
+  if (const Union* several = a.as_union()) {
+    const auto& x = several->alternatives;
+    const auto& y = b.as_union()->alternatives;
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& p, const auto& q) {
+      return p.guard == q.guard && same(p.value, q.value);
+    });
+  }
+  return false;
+}
+
+Value Value::string(std::string text) { return make_ref<String>(std::move(text)); }
+Value Value::list(std::vector<Value> items) { return make_ref<List>(std::move(items)); }
+
+bool Value::has_type(Type type) const {
+  if (const auto* symbol = get<Symbol>()) return symbol->type == type;
+  switch (type) {
+    case Type::kBool:
+      return is<bool>();
+    case Type::kInt:
+      return is<std::int64_t>();
+    case Type::kFloat:
+      return is<double>();
+  }
+  return false;
+}
+
+std::string describe(const Value& value) {
+  if (value.has_type(Type::kBool)) return "a bool";
+  if (value.has_type(Type::kInt)) return "an int";
+  if (value.has_type(Type::kFloat)) return "a float";
+  return std::visit(Overloaded{[](Value::Unset) -> std::string { return "nothing yet"; },
+                               [](Value::Nil) -> std::string { return "nil"; },
+                               [](const Ref<String>&) -> std::string { return "a string"; },
+                               [](const Ref<List>&) -> std::string { return "a list"; },
+                               [](const Ref<Record>& record) -> std::string {
+                                 return fmt::format("a record {}", record->type->name);
+                               },
+                               [](const Ref<Union>&) -> std::string { return "one of several"; },
+                               [](const auto&) -> std::string { return "a function"; }},
+                    value.data());
+}
+
+std::string to_text(const Value& value) {
+  return std::visit(
+      Overloaded{
+          [](Value::Unset) -> std::string { return "nothing yet"; },
+          [](Value::Nil) -> std::string { return "nil"; },
+          [](bool b) -> std::string { return b ? "true" : "false"; },
+          [](std::int64_t i) -> std::string { return std::to_string(i); },
+          [](double d) -> std::string { return float_text(d); }, [](Symbol) -> std::string { return "?"; },
+          [](const Ref<Union>&) -> std::string { return "?"; },
+          [](const Ref<String>& text) -> std::string { return json_string(text->text); },
+          [](const Ref<List>& list) -> std::string {
+            std::string text;
+            for (const Value& item : list->items) text += (text.empty() ? "" : ", ") + to_text(item);
+            return "[" + text + "]";
+          },
+          [](const Ref<Record>& record) -> std::string {
+            std::string text;
+            for (std::size_t i = 0; i < record->fields.size(); ++i) {
+              text += fmt::format("{}{}: {}", i == 0 ? "" : ", ", record->type->fields[i].name,
+                                  to_text(record->fields[i]));
+            }
+            return fmt::format("{}({})", record->type->name, text);
+          },
+          [](const Ref<Closure>& closure) -> std::string { return function_name(*closure); },
+          [](const Ref<RecordType>& type) -> std::string { return "record " + type->declaration->name; },
+          [](Value::BuiltinRef builtin) -> std::string { return fmt::format("fun {}", builtin->name); }},
+      value.data());
+}
+
+std::string to_json(const Value& value) {
+  return json_of(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string json_string(std::string_view text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace solitaire

@@ -1,0 +1,204 @@
+#include "tracegraph/print.h"
+
+#include <algorithm>
+#include <bit>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace solitaire {
+namespace {
+
+/// The nodes on which the trace's effects depend, operands before what uses them.
+std::vector<NodeId> nodes_of(const Graph& graph, const Trace& trace) {
+  std::vector<bool> seen(graph.size(), false);
+  std::vector<NodeId> pending;
+  const auto need = [&](NodeId node) {
+    if (!seen[node.index]) pending.push_back(node);
+    seen[node.index] = true;
+  };
+  for (const auto& choice : trace.choices) need(choice.guard), need(choice.variable);
+  for (const auto& required : trace.asserts) need(required.guard), need(required.condition);
+  for (const auto& blocker : trace.blockers) need(blocker.guard);
+  for (const auto& mistake : trace.mistakes) need(mistake.guard);
+  for (const auto& placed : trace.placed) {
+    need(placed.guard);
+    for (const NodeId node : placed.depends) need(node);
+  }
+  std::vector<NodeId> nodes;
+  while (!pending.empty()) {
+    const NodeId node = pending.back();
+    pending.pop_back();
+    nodes.push_back(node);
+    for (const NodeId operand : graph.node(node).args()) need(operand);
+  }
+  // A node is made after its operands, so the order of making is one of evaluation.
+  std::sort(nodes.begin(), nodes.end(), [](NodeId a, NodeId b) { return a.index < b.index; });
+  return nodes;
+}
+
+std::string constant_text(const Graph& graph, NodeId id) {
+  const Scalar value = graph.scalar(id);
+  switch (graph.node(id).type()) {
+    case Type::kBool:
+      return value.i != 0 ? "true" : "false";
+    case Type::kInt:
+      return fmt::format("{}", value.i);
+    case Type::kFloat:
+      return fmt::format("{}", value.f);
+  }
+  return "";
+}
+
+const char* requirement_text(Requirement requirement) {
+  switch (requirement) {
+    case Requirement::kAssert:
+      return "assert";
+    case Requirement::kRange:
+      return "within its range";
+    case Requirement::kNotEmpty:
+      return "something to choose from";
+    case Requirement::kIndex:
+      return "an element at the index";
+    case Requirement::kDivisor:
+      return "a divisor other than zero";
+  }
+  return "";
+}
+
+std::string domain_text(const ChoiceDomain& domain) {
+  if (domain.kind == ChoiceKind::kBool) return "flip()";
+  if (domain.step != 1) return fmt::format("range({}, {}, {})", domain.lo, domain.hi, domain.step);
+  return fmt::format("range({}, {})", domain.lo, domain.hi);
+}
+
+class TextPrinter {
+ public:
+  TextPrinter(const Graph& graph, const AddressTable& addresses)
+      : graph_(graph), addresses_(addresses), numbers_(graph.size(), 0) {}
+
+  std::string run(const Trace& trace, const std::string& result) {
+    for (const NodeId node : nodes_of(graph_, trace)) {
+      if (!graph_.node(node).is_constant()) define(node);
+    }
+    for (const auto& required : trace.asserts) {
+      line(fmt::format("{}assert({});", condition(required.guard), name(required.condition)),
+           fmt::format("{}{}", addresses_.text(required.address),
+                       required.requirement == Requirement::kAssert
+                           ? (required.message.empty() ? "" : ": " + required.message)
+                           : fmt::format(": {}", requirement_text(required.requirement))));
+    }
+    for (const auto& mistake : trace.mistakes)
+      line(fmt::format("{}error;", condition(mistake.guard)), mistake.message);
+    for (const auto& blocker : trace.blockers) {
+      const char* side = blocker.side.kind == BranchSide::Kind::kThen   ? "then side"
+                         : blocker.side.kind == BranchSide::Kind::kElse ? "else side"
+                                                                        : "cut";
+      line(fmt::format("{}---;", condition(blocker.guard)),
+           fmt::format("{} not explored: {}", addresses_.text(blocker.side.branch), side));
+    }
+    for (const auto& placed : trace.placed)
+      line(fmt::format("{}place(...);", condition(placed.guard)), addresses_.text(placed.address));
+    if (!result.empty()) line(fmt::format("return {};", result), "");
+    return std::move(text_);
+  }
+
+ private:
+  std::string name(NodeId id) const {
+    return graph_.node(id).is_constant() ? constant_text(graph_, id) : fmt::format("x{}", numbers_[id.index]);
+  }
+  std::string condition(NodeId guard) const {
+    return guard == kTrue ? "" : fmt::format("if {}: ", name(guard));
+  }
+
+  void line(const std::string& code, const std::string& comment) {
+    text_ += comment.empty() ? code + "\n" : fmt::format("{:<36} // {}\n", code, comment);
+  }
+
+  void define(NodeId id) {
+    const Graph::Node& node = graph_.node(id);
+    numbers_[id.index] = next_++;
+    std::string comment;
+    if (node.op == Op::kChoice) comment = addresses_.text(graph_.variable(id).address);
+    line(fmt::format("x{} <- {};", numbers_[id.index], expression(id)), comment);
+  }
+
+  std::string expression(NodeId id) const {
+    const Graph::Node& node = graph_.node(id);
+    if (node.op == Op::kChoice) return domain_text(graph_.variable(id).domain);
+    const Operation& row = operation(node.op);
+    if (!row.symbol.empty() && row.arity == 2) {
+      return fmt::format("{} {} {}", name(node.operands[0]), row.symbol, name(node.operands[1]));
+    }
+    if (!row.symbol.empty()) {
+      return fmt::format("{}{}{}", row.symbol, row.symbol == "not" ? " " : "", name(node.operands[0]));
+    }
+    std::string arguments;
+    for (const NodeId operand : node.args()) arguments += (arguments.empty() ? "" : ", ") + name(operand);
+    return fmt::format("{}({})", row.name, arguments);
+  }
+
+  const Graph& graph_;
+  const AddressTable& addresses_;
+  std::vector<std::size_t> numbers_;
+  std::size_t next_ = 0;
+  std::string text_;
+};
+
+std::string dot_string(const std::string& text) {
+  std::string quoted;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return "\"" + quoted + "\"";
+}
+
+}  // namespace
+
+std::string trace_text(const Graph& graph, const AddressTable& addresses, const Trace& trace,
+                       const std::string& result) {
+  return TextPrinter(graph, addresses).run(trace, result);
+}
+
+std::string trace_dot(const Graph& graph, const AddressTable& addresses, const Trace& trace) {
+  std::string text = "digraph trace {\n  rankdir=BT;\n  node [shape=box, fontname=\"sans-serif\"];\n";
+  for (const NodeId id : nodes_of(graph, trace)) {
+    const Graph::Node& node = graph.node(id);
+    std::string label(operation(node.op).name);
+    if (node.is_constant()) label = constant_text(graph, id);
+    if (node.op == Op::kChoice)
+      label = addresses.text(graph.variable(id).address) + "\n" + domain_text(graph.variable(id).domain);
+    text += fmt::format("  n{} [label={}{}];\n", id.index, dot_string(label),
+                        node.op == Op::kChoice ? ", style=filled, fillcolor=lightblue" : "");
+    const char* const roles[] = {"if", "then", "else"};
+    std::size_t i = 0;
+    for (const NodeId operand : node.args()) {
+      text += fmt::format("  n{} -> n{}", operand.index, id.index);
+      if (node.args().size() == 3) text += fmt::format(" [label={}]", roles[i]);
+      text += ";\n";
+      ++i;
+    }
+  }
+  std::size_t number = 0;
+  const auto effect = [&](const std::string& label, NodeId guard, NodeId condition, const char* color) {
+    text += fmt::format("  e{} [label={}, shape=ellipse, style=filled, fillcolor={}];\n", number,
+                        dot_string(label), color);
+    if (condition != kTrue) text += fmt::format("  n{} -> e{};\n", condition.index, number);
+    if (guard != kTrue)
+      text += fmt::format("  n{} -> e{} [label=guard, style=dashed];\n", guard.index, number);
+    ++number;
+  };
+  for (const auto& required : trace.asserts) {
+    effect(fmt::format("{}\n{}", requirement_text(required.requirement), addresses.text(required.address)),
+           required.guard, required.condition, "palegreen");
+  }
+  for (const auto& blocker : trace.blockers)
+    effect("not explored\n" + addresses.text(blocker.side.branch), blocker.guard, kTrue, "lightgray");
+  for (const auto& mistake : trace.mistakes)
+    effect("error: " + mistake.message, mistake.guard, kTrue, "salmon");
+  for (const auto& placed : trace.placed)
+    effect("place\n" + addresses.text(placed.address), placed.guard, kTrue, "wheat");
+  return text + "}\n";
+}
+
+}  // namespace solitaire
