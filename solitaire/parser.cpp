@@ -451,6 +451,7 @@ class Parser {
   }
 
   ExprPtr binary(int least_binding) {
+    const Span start = peek().span;  // with a parenthesis that the left side's span leaves out
     ExprPtr left = at(TokenKind::kNot) && least_binding <= kComparisonBinding ? not_expression() : unary();
     while (true) {
       const TokenKind kind = peek().kind;
@@ -458,12 +459,12 @@ class Parser {
       if (is_and || kind == TokenKind::kOr) {
         const int binding = is_and ? kAndBinding : kOrBinding;
         if (binding < least_binding) return left;
-        left = logical(std::move(left), is_and, binding);
+        left = logical(start, std::move(left), is_and, binding);
         continue;
       }
       const BinaryLevel* level = binary_level(kind);
       if (level == nullptr || level->binding < least_binding) return left;
-      left = binary_with(std::move(left), *level);
+      left = binary_with(start, std::move(left), *level);
     }
   }
 
@@ -475,15 +476,15 @@ class Parser {
     return finish(std::move(node));
   }
 
-  ExprPtr logical(ExprPtr left, bool is_and, int binding) {
-    auto node = std::make_unique<LogicalExpr>(left->span, is_and, take().span);
+  ExprPtr logical(Span start, ExprPtr left, bool is_and, int binding) {
+    auto node = std::make_unique<LogicalExpr>(start, is_and, take().span);
     node->left = std::move(left);
     node->right = binary(binding + 1);
     return finish(checked_height(std::move(node)));
   }
 
-  ExprPtr binary_with(ExprPtr left, const BinaryLevel& level) {
-    auto node = std::make_unique<BinaryExpr>(left->span, level.op, take().span);
+  ExprPtr binary_with(Span start, ExprPtr left, const BinaryLevel& level) {
+    auto node = std::make_unique<BinaryExpr>(start, level.op, take().span);
     node->left = std::move(left);
     node->right = binary(level.binding + 1);
     const BinaryLevel* next = binary_level(peek().kind);
@@ -515,14 +516,15 @@ class Parser {
   }
 
   ExprPtr postfix() {
+    const Span start = peek().span;
     ExprPtr value = primary();
     while (true) {
       if (at(TokenKind::kLeftParen)) {
-        value = call(std::move(value));
+        value = call(start, std::move(value));
       } else if (at(TokenKind::kLeftBracket)) {
-        value = index(std::move(value));
+        value = index(start, std::move(value));
       } else if (at(TokenKind::kDot)) {
-        value = field(std::move(value));
+        value = field(start, std::move(value));
       } else {
         return value;
       }
@@ -530,8 +532,8 @@ class Parser {
     }
   }
 
-  ExprPtr call(ExprPtr callee) {
-    auto node = std::make_unique<CallExpr>(callee->span);
+  ExprPtr call(Span start, ExprPtr callee) {
+    auto node = std::make_unique<CallExpr>(start);
     node->height = 1 + callee->height;
     node->callee = std::move(callee);
     const Span open = take().span;
@@ -561,8 +563,8 @@ class Parser {
     return made;
   }
 
-  ExprPtr index(ExprPtr object) {
-    auto node = std::make_unique<IndexExpr>(object->span);
+  ExprPtr index(Span start, ExprPtr object) {
+    auto node = std::make_unique<IndexExpr>(start);
     take();
     node->object = std::move(object);
     node->index = expression();
@@ -571,8 +573,8 @@ class Parser {
     return finish(std::move(node));
   }
 
-  ExprPtr field(ExprPtr object) {
-    auto node = std::make_unique<FieldExpr>(object->span);
+  ExprPtr field(Span start, ExprPtr object) {
+    auto node = std::make_unique<FieldExpr>(start);
     take();
     node->object = std::move(object);
     const Token& name = expect(TokenKind::kName, "after '.'");
