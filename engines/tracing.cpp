@@ -139,15 +139,14 @@ void TracingEngine::report_reachable_mistakes() {
   std::vector<NodeId> assumed = assumptions(false);
   assumed.push_back(any);
   if (check(assumed) != Verdict::kSatisfiable) return;
-  const Answers answers = model_choices();
-  const Execution run = replay(answers);  // throws what a concrete execution reports
-  if (run.rejection) throw InternalError("an execution that should come to a mistake was ruled out");
   Assignment assignment(graph_, [this](std::size_t variable) { return solver_->value(variable); });
-  for (const TraceMistake& mistake : trace.mistakes) {
-    if (assignment.holds(mistake.guard)) {
-      throw ProgramError(Diagnostic{mistake.span, mistake.message, mistake.help, {}});
-    }
-  }
+  const auto met = std::find_if(trace.mistakes.begin(), trace.mistakes.end(),
+                                [&](const TraceMistake& mistake) { return assignment.holds(mistake.guard); });
+  if (met == trace.mistakes.end()) throw InternalError("a model that comes to a mistake comes to none");
+  // The replay throws what a concrete execution reports.
+  if (met->of_program && replay(model_choices()).rejection)
+    throw InternalError("an execution that should come to a mistake was ruled out");
+  throw ProgramError(Diagnostic{met->span, met->message, met->help, {}});
 }
 
 bool TracingEngine::open_core() {

@@ -177,12 +177,14 @@ Diagnostic Evaluator::diagnose(Span span, const std::string& message, const std:
 void Evaluator::mistake(Span span, const std::string& message, const std::string& help) {
   Diagnostic diagnostic = diagnose(span, message, help);
   if (!symbolic()) throw ProgramError(std::move(diagnostic));
-  recorder_->add(TraceMistake{path_.guard(), activation_address(*current_), span, message, help});
+  recorder_->add(TraceMistake{path_.guard(), activation_address(*current_), span, message, help, true});
   end_path();
 }
 
 void Evaluator::beyond_engine(Span span, const std::string& message, const std::string& help) {
-  mistake(span, message, help);
+  if (!symbolic()) mistake(span, message, help);
+  recorder_->add(TraceMistake{path_.guard(), activation_address(*current_), span, message, help, false});
+  end_path();
 }
 
 NodeId Evaluator::apply(Op op, std::initializer_list<NodeId> operands, Span span) {

@@ -68,6 +68,7 @@ struct TraceMistake {
   Span span;
   std::string message;
   std::string help;
+  bool of_program = true;  // else of the pass, which a concrete execution knows nothing about
 };
 
 /// What one symbolic evaluation found, in program order: section 4.1.5's trace graph, seen from its effects.
