@@ -187,8 +187,9 @@ class Lexer {
 
   void push_float() {
     double value = 0;
-    std::from_chars(text_.data() + start_, text_.data() + at_, value);
-    if (!std::isfinite(value)) diagnostics_.add(span(), "this number is too large");
+    const auto [end, error] = std::from_chars(text_.data() + start_, text_.data() + at_, value);
+    if (error != std::errc{} || !std::isfinite(value))
+      diagnostics_.add(span(), "this number is too large or too small for a float");
     push(TokenKind::kFloat).float_value = value;
   }
 
