@@ -21,6 +21,8 @@ class Solver {
   /// Whether everything added and all of the assumptions can hold together. kStopped if the signal came
   /// first.
   virtual Verdict check(std::span<const NodeId> assumptions, const StopSignal& stop) = 0;
+  /// A value to try first for a choice, in the checks to come. False if this solver takes no suggestions.
+  virtual bool suggest(std::size_t variable, std::int64_t value) = 0;
   /// After kSatisfiable: the value of the choice variable with that number.
   virtual std::int64_t value(std::size_t variable) = 0;
   /// After kUnsatisfiable: assumptions that cannot hold together with what was added. Empty: nothing assumed

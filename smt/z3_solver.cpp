@@ -81,6 +81,8 @@ class Z3Solver : public Solver {
     return Verdict::kStopped;
   }
 
+  bool suggest(std::size_t, std::int64_t) override { return false; }
+
   std::int64_t value(std::size_t variable) override {
     const auto term = encoder_.choice_term(variable);
     if (!term) return graph_.variables()[variable].domain.lo;  // nothing depends on it
