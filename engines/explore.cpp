@@ -8,12 +8,7 @@
 namespace solitaire {
 namespace {
 
-/// What the first passes may open without being asked: enough for most programs to be covered at once, little
-/// enough to take well under a second.
-constexpr std::size_t kUnaskedSides = 4000;
 constexpr std::uint32_t kMostLevels = 1U << 20;
-constexpr std::uint64_t kFirstFuelSteps = 100'000;
-constexpr std::uint32_t kFirstFuelDepth = 200;
 
 struct SideHash {
   std::size_t operator()(const BranchSide& side) const {
@@ -25,13 +20,14 @@ struct SideHash {
 
 class Explorer::OpenSides : public Branches {
  public:
-  std::uint32_t levels = 0;  // that a pass starts with
-  std::size_t unasked = 0;   // sides opened by level in the current pass
+  std::uint32_t levels = 0;                                        // that a pass starts with
+  std::size_t most_unasked = 0;                                    // sides that a pass may open by level
+  std::size_t unasked = 0;                                         // those that the current pass did
   std::unordered_map<BranchSide, std::uint32_t, SideHash> opened;  // with the levels below each
 
   std::optional<std::uint32_t> open(const BranchSide& side, std::uint32_t left) override {
     const auto it = opened.find(side);
-    const bool by_level = left > 0 && unasked < kUnaskedSides;
+    const bool by_level = left > 0 && unasked < most_unasked;
     if (by_level) ++unasked;
     if (it == opened.end()) return by_level ? std::optional(left - 1) : std::nullopt;
     return std::max(it->second, by_level ? left - 1 : 0);
@@ -50,9 +46,11 @@ Explorer::Explorer(const Program& program, ParamValues params, const Exploration
       granted_(limits),
       graph_(graph),
       addresses_(addresses),
-      sides_(std::make_unique<OpenSides>()) {
-  granted_.fuel_steps = std::min(kFirstFuelSteps, limits.max_steps);
-  granted_.fuel_depth = std::min(kFirstFuelDepth, limits.max_depth);
+      sides_(std::make_unique<OpenSides>()),
+      grant_(exploration.grant) {
+  sides_->most_unasked = exploration.unasked_sides;
+  granted_.fuel_steps = std::min(exploration.fuel_steps, limits.max_steps);
+  granted_.fuel_depth = std::min(exploration.fuel_depth, limits.max_depth);
 }
 
 Explorer::~Explorer() = default;
@@ -71,10 +69,10 @@ void Explorer::start() {
     granted_.fuel_depth = limits_.max_depth;
     return run_pass();
   }
-  for (std::uint32_t levels = 4; levels <= kMostLevels; levels *= 4) {
+  for (std::uint32_t levels = exploration_.levels; levels <= kMostLevels; levels *= 4) {
     sides_->levels = levels;
     run_pass();
-    if (pass_.trace.blockers.empty() || sides_->unasked >= kUnaskedSides) return;
+    if (pass_.trace.blockers.empty() || sides_->unasked >= sides_->most_unasked) return;
     const auto is_cut = [](const TraceBlocker& blocker) {
       return blocker.side.kind == BranchSide::Kind::kCut;
     };

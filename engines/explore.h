@@ -11,6 +11,15 @@ struct Exploration {
   enum class Policy : std::uint8_t { kDemand, kRandom };
   Policy policy = Policy::kDemand;
   std::uint64_t executions = 0;  // kRandom: how many random executions open the sides that they take
+
+  // kDemand: what the first passes may open without being asked, which is enough for most programs to be
+  // covered at once and little enough to take well under a second; and the fuel of paths that only some
+  // executions take.
+  std::size_t unasked_sides = 4000;
+  std::uint32_t levels = 4;  // of the first pass; at least 1
+  std::uint32_t grant = 8;   // levels that come with the first sides that are opened because asked for
+  std::uint64_t fuel_steps = 100'000;  // at least 1, as fuel_depth
+  std::uint32_t fuel_depth = 200;
 };
 
 /// Grows the trace graph of a program: passes over a growing set of open branch sides. The dissertation's
@@ -50,7 +59,7 @@ class Explorer {
   Graph& graph_;
   AddressTable& addresses_;
   std::unique_ptr<OpenSides> sides_;
-  std::uint32_t grant_ = 8;  // levels that come with the next sides to be opened
+  std::uint32_t grant_;  // levels that come with the next sides to be opened
   SymbolicPass pass_;
   std::size_t passes_ = 0;
 };
