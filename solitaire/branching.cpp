@@ -99,7 +99,7 @@ void Evaluator::enter_side(const Site& site, BranchSide::Kind kind, Span span) {
 }
 
 void Evaluator::note_taken(const Site& site, bool condition) {
-  if (symbolic() || branches_ == nullptr) return;
+  if (symbolic() || branches_ == nullptr || site.label.empty()) return;
   branches_->taken({address_of(site.label), condition ? BranchSide::Kind::kThen : BranchSide::Kind::kElse});
 }
 

@@ -90,7 +90,8 @@ class Evaluator {
               Then then_part, Else else_part);
   /// branch() for expressions: each side gives a value.
   template <class Then, class Else>
-  Value choose_side(NodeId condition, const Site& site, Span span, Then then_value, Else else_value);
+  Value choose_side(NodeId condition, const Site& site, Span span, std::span<const Slot> assigned,
+                    Then then_value, Else else_value);
   /// f of a value that is no union: of each alternative, merged.
   template <class Function>
   Value each_shape(const Value& value, Function f);
@@ -231,6 +232,7 @@ class Evaluator {
 
   // elements.cpp
   using Change = std::function<void(Value&)>;
+  void change(const Expr& target, const Change& change);
   void update(const Expr& target, std::span<const Value> indices, const Change& change);
   void update_element(Value& object, const Value& index, Span span, const Change& change);
   void update_field(Value& object, const FieldExpr& target, const Change& change);
@@ -321,17 +323,17 @@ bool Evaluator::branch(NodeId condition, const Site& site, Span span, std::span<
   check_condition(condition, span);
   const std::array guards = {condition, graph_.negation(condition)};
   return split(guards, assigned, value, [&](std::size_t side, Value& made) {
-    enter_side(site, side == 0 ? BranchSide::Kind::kThen : BranchSide::Kind::kElse, span);
+    if (!site.label.empty()) enter_side(site, side == 0 ? BranchSide::Kind::kThen : BranchSide::Kind::kElse, span);
     return side == 0 ? then_part(made) : else_part(made);
   });
 }
 
 template <class Then, class Else>
-Value Evaluator::choose_side(NodeId condition, const Site& site, Span span, Then then_value,
-                             Else else_value) {
+Value Evaluator::choose_side(NodeId condition, const Site& site, Span span, std::span<const Slot> assigned,
+                             Then then_value, Else else_value) {
   Value value;
   const bool goes_on = branch(
-      condition, site, span, {}, value, [&](Value& made) { return made = then_value(), true; },
+      condition, site, span, assigned, value, [&](Value& made) { return made = then_value(), true; },
       [&](Value& made) { return made = else_value(), true; });
   if (!goes_on) end_path();
   return value;

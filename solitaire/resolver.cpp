@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 #include <utility>
 
 #include "solitaire/builtin.h"
@@ -24,6 +25,7 @@ struct Scope {
   Scope* outer;  // null at the top level of a module
   std::map<std::string, Slot> names;
   std::vector<std::pair<std::string, Slot>> inner;  // comprehension variables in force, innermost last
+  std::set<Slot> read_inside;                       // variables that inner functions read
   std::map<std::string, const RecordStmt*> records;
   Counts counts;
   std::vector<Site*> sites;
@@ -54,7 +56,7 @@ class Resolver {
   // ---- functions
 
   void function(Function& made, Scope* outer) {
-    Scope scope{&made, outer, {}, {}, {}, {}, {}, 0};
+    Scope scope{&made, outer, {}, {}, {}, {}, {}, {}, 0};
     scope_ = &scope;
     for (const Parameter& parameter : made.parameters) scope.declare(parameter.name);
     declare_all(*made.body);
@@ -129,6 +131,7 @@ class Resolver {
       const auto slot = scope->find(name);
       if (!slot) continue;
       if (level == 0) return {Binding::Kind::kLocal, 0, *slot};
+      scope->read_inside.insert(*slot);
       if (scope->outer == nullptr) return {Binding::Kind::kModule, number_, *slot};
       return {Binding::Kind::kOuter, level, *slot};
     }
@@ -420,17 +423,43 @@ class Resolver {
     if (node.binding.kind == Binding::Kind::kUnresolved) report_unknown(node);
   }
 
+  /// Whether the expression is free of calls and loops: evaluating it always ends at once.
+  static bool is_plain(const Expr& node) {
+    switch (node.kind) {
+      case ExprKind::kLiteral:
+      case ExprKind::kName: return true;
+      case ExprKind::kUnary: return is_plain(*static_cast<const UnaryExpr&>(node).operand);
+      case ExprKind::kBinary: {
+        const auto& binary = static_cast<const BinaryExpr&>(node);
+        return binary.op != BinaryOp::kUpTo && is_plain(*binary.left) && is_plain(*binary.right);
+      }
+      case ExprKind::kLogical: {
+        const auto& logical = static_cast<const LogicalExpr&>(node);
+        return is_plain(*logical.left) && is_plain(*logical.right);
+      }
+      case ExprKind::kField: return is_plain(*static_cast<const FieldExpr&>(node).object);
+      case ExprKind::kIndex: {
+        const auto& index = static_cast<const IndexExpr&>(node);
+        return is_plain(*index.object) && is_plain(*index.index);
+      }
+      default: return false;
+    }
+  }
+
   void logical(LogicalExpr& node) {
-    branch_site(node.site, node.is_and ? "and" : "or", node.op_span);
+    if (!is_plain(*node.right)) branch_site(node.site, node.is_and ? "and" : "or", node.op_span);
     expression(*node.left);
-    expression(*node.right);
+    collecting(node.assigned, [&] { expression(*node.right); });
   }
 
   void if_expression(IfExpr& node) {
-    branch_site(node.site, "if", node.span);
+    const bool plain = is_plain(*node.then_value) && is_plain(*node.else_value);
+    if (!plain) branch_site(node.site, "if", node.span);
     expression(*node.condition);
-    exclusive([&] { return expression(*node.then_value), false; },
-              [&] { return expression(*node.else_value), false; });
+    collecting(node.assigned, [&] {
+      exclusive([&] { return expression(*node.then_value), false; },
+                [&] { return expression(*node.else_value), false; });
+    });
   }
 
   void inner_function(FunctionExpr& node) {
@@ -476,8 +505,21 @@ class Resolver {
     return choice && !purpose.empty() ? purpose : name.name;
   }
 
+  /// A comprehension's variable is set before it is read, so that only those that an inner function can still
+  /// read later have to be kept on every path.
   void comprehension(ComprehensionExpr& node) {
-    const std::size_t shadows = scope_->inner.size();
+    collecting(node.assigned, [&] {
+      const std::size_t shadows = scope_->inner.size();
+      clauses(node);
+      for (std::size_t i = shadows; i < scope_->inner.size(); ++i) {
+        const Slot slot = scope_->inner[i].second;
+        if (scope_->read_inside.count(slot) > 0) assign_slot(slot);
+      }
+      scope_->inner.resize(shadows);
+    });
+  }
+
+  void clauses(ComprehensionExpr& node) {
     for (ComprehensionClause& clause : node.clauses) {
       branch_site(clause.site, "for", clause.span);
       expression(*clause.list);
@@ -485,7 +527,6 @@ class Resolver {
         variable.slot = static_cast<Slot>(scope_->function->slots.size());
         scope_->function->slots.push_back(variable.name);
         scope_->inner.emplace_back(variable.name, variable.slot);
-        assign_slot(variable.slot);
       }
       clause.condition_sites.resize(clause.conditions.size());
       for (std::size_t i = 0; i < clause.conditions.size(); ++i) {
@@ -494,7 +535,6 @@ class Resolver {
       }
     }
     expression(*node.element);
-    scope_->inner.resize(shadows);
   }
 
   Program& program_;

@@ -33,7 +33,7 @@ struct Binding {
 /// How a call, choice or branch site adds to addresses. Sites of one function that can happen in the same
 /// execution have different labels; sites in exclusive branches share theirs.
 struct Site {
-  std::string label;
+  std::string label;    // "" for a branch of expressions so plain that nothing is gained by not looking into them
   bool shared = false;  // whether an exclusive branch has a site of the same label
 };
 
@@ -120,6 +120,7 @@ struct LogicalExpr : Expr {
   Span op_span;
   ExprPtr left, right;
   Site site;
+  std::vector<Slot> assigned;  // as of a comprehension, in its right side
 };
 
 struct Argument {
@@ -151,6 +152,7 @@ struct IfExpr : Expr {
   explicit IfExpr(Span where) : Expr(ExprKind::kIf, where) {}
   ExprPtr condition, then_value, else_value;
   Site site;
+  std::vector<Slot> assigned;  // as of a comprehension, in either side
 };
 
 struct FunctionExpr : Expr {
@@ -180,6 +182,7 @@ struct ComprehensionExpr : Expr {
   explicit ComprehensionExpr(Span where) : Expr(ExprKind::kComprehension, where) {}
   ExprPtr element;
   std::vector<ComprehensionClause> clauses;  // at least one
+  std::vector<Slot> assigned;                // its variables that inner functions read, who may do so later
 };
 
 /// Stands where an expression could not be read; only in trees that come with errors.
