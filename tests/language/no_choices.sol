@@ -1,0 +1,2 @@
+return 6 * 7;
+// expect: 42

@@ -1,0 +1,2 @@
+one = 1;
+fun length(x) { return "not the builtin"; }

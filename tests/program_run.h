@@ -1,0 +1,45 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engines/exhaustive.h"
+#include "engines/tracing.h"
+
+namespace solitaire {
+
+/// Where a test's scripts are.
+std::filesystem::path tests_folder();
+
+/// The folders that scripts import the library from.
+LoadOptions library();
+
+/// A solution as text, for comparing and for sorting.
+struct Found {
+  std::string value;
+  std::vector<std::string> choices;  // "address = value", in the order in which they were met
+  std::vector<std::string> printed;
+
+  friend auto operator<=>(const Found&, const Found&) = default;
+};
+
+/// All solutions that an engine has, sorted.
+std::vector<Found> all_solutions(Engine& engine);
+
+enum class Way { kDemand, kRandom, kExhaustive };
+
+/// All solutions of a program by one of the engines, sorted. kRandom explores a number of random executions,
+/// and may therefore miss some. Throws ProgramError.
+std::vector<Found> all_solutions(const Program& program, const ParamValues& params, Way way);
+
+/// The program of a script below tests/.
+Program load(const std::string& path);
+
+/// The program of a text.
+Program program_of(const std::string& text);
+
+/// The values of all solutions, sorted, by exploration on demand; checked to be the same by the exhaustive
+/// engine.
+std::vector<std::string> values_of(const std::string& text);
+
+}  // namespace solitaire
