@@ -244,7 +244,11 @@ void Evaluator::place(Placement placement, const CallExpr& site, std::span<const
   }
   placement.address = text(address);
   placement.calls = call_names();
-  placement.source = program_.sources.place(site.span);
+  const Source& source = program_.sources[site.span.source];
+  const Position at = source.position(site.span.begin);
+  // Without the folder, so that files do not depend on where the program stands.
+  placement.source =
+      fmt::format("{}:{}:{}", std::filesystem::path(source.name()).filename().string(), at.line, at.column);
   execution_.placements.push_back(std::move(placement));
 }
 
