@@ -20,8 +20,9 @@ ExitStatus check(const Options& options) {
   }
   const Trace& trace = engine.pass().trace;
   if (!options.quiet) {
-    fmt::print(stderr, "{}: no mistakes found; {} choices, {} conditions, {} placed things{}\n",
+    fmt::print(stderr, "{}: no mistakes found; {} choices, {} conditions, {} placed things, {} nodes{}\n",
                options.script, trace.choices.size(), trace.asserts.size(), trace.placed.size(),
+               engine.graph().size(),
                trace.blockers.empty()
                    ? ""
                    : fmt::format(", {} branch sides not looked into", trace.blockers.size()));
