@@ -134,6 +134,11 @@ void Evaluator::assign(const Expr& target, Value value) {
     current_->frame->slots[static_cast<const NameExpr&>(target).binding.slot] = std::move(value);
     return;
   }
+  change(target, [&](Value& place) { place = value; });
+}
+
+/// Evaluates the target's indices, once, and changes what it stands for.
+void Evaluator::change(const Expr& target, const Change& change) {
   std::vector<Value> indices;  // evaluated before anything changes, innermost last
   for (const Expr* at = &target; at->kind != ExprKind::kName;) {
     if (at->kind == ExprKind::kIndex) {
@@ -144,7 +149,7 @@ void Evaluator::assign(const Expr& target, Value value) {
       at = static_cast<const FieldExpr&>(*at).object.get();
     }
   }
-  update(target, indices, [&](Value& place) { place = value; });
+  update(target, indices, change);
 }
 
 /// Changes what the target stands for in place: the variable's value is only copied where others share it.

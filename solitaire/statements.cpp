@@ -64,11 +64,12 @@ bool Evaluator::if_statement(const IfStmt& node) {
 
 void Evaluator::assignment(const AssignStmt& node) {
   if (node.op) {
-    const Value change = expression(*node.values.front());
-    const Value now = expression(*node.targets.front());
-    return assign(
-        *node.targets.front(),
-        arithmetic(*node.op, now, change, cover(node.targets.front()->span, node.values.front()->span)));
+    const Expr& target = *node.targets.front();
+    const Value amount = expression(*node.values.front());
+    const Span span = cover(target.span, node.values.front()->span);
+    if (target.kind == ExprKind::kName)
+      return assign(target, arithmetic(*node.op, expression(target), amount, span));
+    return change(target, [&](Value& place) { place = arithmetic(*node.op, place, amount, span); });
   }
   if (node.targets.size() == 1) return assign(*node.targets.front(), expression(*node.values.front()));
   if (node.values.size() == 1) {
