@@ -126,14 +126,14 @@ Value Evaluator::logical(const LogicalExpr& node) {
   const NodeId left = condition(expression(*node.left), node.left->span);
   const auto right = [&] { return value_of(graph_, condition(expression(*node.right), node.right->span)); };
   const auto settled = [&] { return Value(!node.is_and); };
-  if (node.is_and) return choose_side(left, node.site, node.left->span, right, settled);
-  return choose_side(left, node.site, node.left->span, settled, right);
+  if (node.is_and) return choose_side(left, node.site, node.left->span, node.assigned, right, settled);
+  return choose_side(left, node.site, node.left->span, node.assigned, settled, right);
 }
 
 Value Evaluator::if_expression(const IfExpr& node) {
   const NodeId holds = condition(expression(*node.condition), node.condition->span);
   return choose_side(
-      holds, node.site, node.condition->span, [&] { return expression(*node.then_value); },
+      holds, node.site, node.condition->span, node.assigned, [&] { return expression(*node.then_value); },
       [&] { return expression(*node.else_value); });
 }
 

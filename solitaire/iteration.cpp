@@ -303,8 +303,8 @@ void Evaluator::clause(const ComprehensionExpr& node, std::size_t number, Value&
   current_->turns.push_back(0);
   const std::size_t turns = current_->turns.size();
   try {
-    while (enter_turn(items.has(current_->turns.back()), loop.site, loop.list->span, ends, {}, collected,
-                      region)) {
+    while (enter_turn(items.has(current_->turns.back()), loop.site, loop.list->span, ends, node.assigned,
+                      collected, region)) {
       step(node.span);
       set_variables(loop.variables, items.element(current_->turns.back()), loop.list->span);
       conditions(node, number, 0, collected);
@@ -315,6 +315,7 @@ void Evaluator::clause(const ComprehensionExpr& node, std::size_t number, Value&
     current_->turns.resize(turns);
   }
   current_->turns.pop_back();
+  if (ends.any) resume(ends, node.assigned);
   unwind(outside);
   path_.losses.breaks = losses.breaks;
   if (!ends.any) end_path();
@@ -335,7 +336,7 @@ void Evaluator::conditions(const ComprehensionExpr& node, std::size_t clause_num
     return;
   }
   collected = choose_side(
-      holds, loop.condition_sites[number], test.span,
+      holds, loop.condition_sites[number], test.span, node.assigned,
       [&] {
         Value more = collected;
         conditions(node, clause_number, number + 1, more);
