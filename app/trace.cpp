@@ -40,7 +40,8 @@ ExitStatus trace_graph(const Options& options) {
   } else if (options.format == "dot") {
     fmt::print("{}", trace_dot(graph, addresses, pass.trace));
   } else {
-    fmt::print("{}", trace_text(graph, addresses, pass.trace, to_text(pass.value)));
+    fmt::print("{}", trace_text(graph, addresses, pass.trace,
+                                [&](const NodeName& name) { return to_text(pass.value, name); }));
   }
   if (std::fflush(stdout) != 0) throw FileError("standard output", "cannot be written to");
   return kDelivered;

@@ -170,20 +170,19 @@ std::vector<std::string> Evaluator::call_names() const {
 
 // ---- choices and placed things
 
-Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, std::int64_t step,
+/// Where the first value or the step depends on choices, so does which values there are: then the domain is all
+/// ints between the ends, and those that the steps miss are ruled out.
+Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
                         ChoiceKind kind) {
-  const Graph::Node* ends[] = {nullptr, nullptr};
-  ChoiceDomain domain{0, 0, step, kind};
+  const bool known_values = lo.is<std::int64_t>() && step.is<std::int64_t>();
+  ChoiceDomain domain{0, 0, known_values ? *step.get<std::int64_t>() : 1, kind};
   const bool fixed = lo.is<std::int64_t>() && hi.is<std::int64_t>();
   if (fixed) {
     domain.lo = *lo.get<std::int64_t>();
     domain.hi = *hi.get<std::int64_t>();
   } else {
-    ends[0] = &graph_.node(node_of(graph_, lo));
-    domain.lo = ends[0]->interval.lo;
-    ends[1] = &graph_.node(node_of(graph_, hi));
-    domain.hi = ends[1]->interval.hi;
-    if (!lo.is<std::int64_t>()) domain.step = 1;  // the first value is not known, so every value may be met
+    domain.lo = graph_.node(node_of(graph_, lo)).interval.lo;
+    domain.hi = graph_.node(node_of(graph_, hi)).interval.hi;
   }
   if (domain.lo > domain.hi) reject(Requirement::kNotEmpty, site.span);
   domain.hi -= (domain.hi - domain.lo) % domain.step;
@@ -204,35 +203,15 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
     const NodeId first = node_of(graph_, lo);
     require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kRange, site.span);
     require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), Requirement::kRange, site.span);
-    if (step != domain.step) {
-      const NodeId offset = apply(Op::kSub, {variable, first}, site.span);
-      const NodeId rest = apply(Op::kMod, {offset, graph_.constant(step)}, site.span);
-      require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kRange,
-              site.span);
-    }
+  }
+  if (!known_values) {
+    const NodeId offset = apply(Op::kSub, {variable, node_of(graph_, lo)}, site.span);
+    const NodeId rest = apply(Op::kMod, {offset, node_of(graph_, step)}, site.span);
+    require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kRange,
+            site.span);
   }
   return value_of(graph_, variable);
 }
-
-namespace {
-
-void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
-  if (const Symbol* symbol = value.get<Symbol>()) nodes.push_back(symbol->node);
-  if (const List* list = value.as_list()) {
-    for (const Value& item : list->items) collect_nodes(item, nodes);
-  }
-  if (const Record* record = value.object<Record>()) {
-    for (const Value& item : record->fields) collect_nodes(item, nodes);
-  }
-  if (const Union* several = value.as_union()) {
-    for (const auto& [guard, alternative] : several->alternatives) {
-      nodes.push_back(guard);
-      collect_nodes(alternative, nodes);
-    }
-  }
-}
-
-}  // namespace
 
 void Evaluator::place(Placement placement, const CallExpr& site, std::span<const Value> depends) {
   const AddressId address = address_of(site.site.label);
@@ -467,6 +446,7 @@ SymbolicPass trace(const Program& program, const ParamValues& params, Choices& c
   pass.value = evaluator.run(levels);
   pass.steps = evaluator.total_steps();
   pass.trace = recorder.finish(graph);
+  collect_nodes(pass.value, pass.trace.returned);
   return pass;
 }
 

@@ -120,6 +120,22 @@ bool Value::has_type(Type type) const {
   return false;
 }
 
+void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
+  if (const Symbol* symbol = value.get<Symbol>()) nodes.push_back(symbol->node);
+  if (const List* list = value.as_list()) {
+    for (const Value& item : list->items) collect_nodes(item, nodes);
+  }
+  if (const Record* record = value.object<Record>()) {
+    for (const Value& item : record->fields) collect_nodes(item, nodes);
+  }
+  if (const Union* several = value.as_union()) {
+    for (const auto& [guard, alternative] : several->alternatives) {
+      nodes.push_back(guard);
+      collect_nodes(alternative, nodes);
+    }
+  }
+}
+
 std::string describe(const Value& value) {
   if (value.has_type(Type::kBool)) return "a bool";
   if (value.has_type(Type::kInt)) return "an int";
@@ -137,25 +153,38 @@ std::string describe(const Value& value) {
 }
 
 std::string to_text(const Value& value) {
+  return to_text(value, [](NodeId) { return std::string("?"); });
+}
+
+std::string to_text(const Value& value, const NodeName& name) {
+  const auto joined = [&name](const std::vector<Value>& items) {
+    std::string text;
+    for (const Value& item : items) text += (text.empty() ? "" : ", ") + to_text(item, name);
+    return text;
+  };
   return std::visit(
       Overloaded{
           [](Value::Unset) -> std::string { return "nothing yet"; },
           [](Value::Nil) -> std::string { return "nil"; },
           [](bool b) -> std::string { return b ? "true" : "false"; },
           [](std::int64_t i) -> std::string { return std::to_string(i); },
-          [](double d) -> std::string { return float_text(d); }, [](Symbol) -> std::string { return "?"; },
-          [](const Ref<Union>&) -> std::string { return "?"; },
-          [](const Ref<String>& text) -> std::string { return json_string(text->text); },
-          [](const Ref<List>& list) -> std::string {
+          [](double d) -> std::string { return float_text(d); },
+          [&](Symbol symbol) -> std::string { return name(symbol.node); },
+          [&](const Ref<Union>& several) -> std::string {
             std::string text;
-            for (const Value& item : list->items) text += (text.empty() ? "" : ", ") + to_text(item);
-            return "[" + text + "]";
+            for (const auto& [guard, alternative] : several->alternatives) {
+              text += fmt::format("{}{} if {}", text.empty() ? "" : " | ", to_text(alternative, name),
+                                  name(guard));
+            }
+            return "(" + text + ")";
           },
-          [](const Ref<Record>& record) -> std::string {
+          [](const Ref<String>& text) -> std::string { return json_string(text->text); },
+          [&](const Ref<List>& list) -> std::string { return "[" + joined(list->items) + "]"; },
+          [&](const Ref<Record>& record) -> std::string {
             std::string text;
             for (std::size_t i = 0; i < record->fields.size(); ++i) {
               text += fmt::format("{}{}: {}", i == 0 ? "" : ", ", record->type->fields[i].name,
-                                  to_text(record->fields[i]));
+                                  to_text(record->fields[i], name));
             }
             return fmt::format("{}({})", record->type->name, text);
           },

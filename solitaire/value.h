@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -154,8 +155,13 @@ bool same(const Value& a, const Value& b);
 /// "an int", "a list", "nothing (nil)": how messages call the value.
 std::string describe(const Value& value);
 
-/// The value as the language writes it. Symbols and unions show as '?'.
+/// The value as the language writes it. What depends on choices shows as '?'.
 std::string to_text(const Value& value);
+/// The same, with nodes called by their names; a union shows as "(a if x1 | b if x2)".
+using NodeName = std::function<std::string(NodeId)>;
+std::string to_text(const Value& value, const NodeName& name);
+/// The nodes in a value, guards of unions included.
+void collect_nodes(const Value& value, std::vector<NodeId>& nodes);
 
 /// The value as JSON: lists as arrays, records as objects of their fields, functions as their names, nil as
 /// null.

@@ -24,6 +24,7 @@ std::vector<NodeId> nodes_of(const Graph& graph, const Trace& trace) {
     need(placed.guard);
     for (const NodeId node : placed.depends) need(node);
   }
+  for (const NodeId node : trace.returned) need(node);
   std::vector<NodeId> nodes;
   while (!pending.empty()) {
     const NodeId node = pending.back();
@@ -71,12 +72,14 @@ std::string domain_text(const ChoiceDomain& domain) {
   return fmt::format("range({}, {})", domain.lo, domain.hi);
 }
 
+using Result = std::function<std::string(const NodeNames&)>;
+
 class TextPrinter {
  public:
   TextPrinter(const Graph& graph, const AddressTable& addresses)
       : graph_(graph), addresses_(addresses), numbers_(graph.size(), 0) {}
 
-  std::string run(const Trace& trace, const std::string& result) {
+  std::string run(const Trace& trace, const Result& result) {
     for (const NodeId node : nodes_of(graph_, trace)) {
       if (!graph_.node(node).is_constant()) define(node);
     }
@@ -98,7 +101,7 @@ class TextPrinter {
     }
     for (const auto& placed : trace.placed)
       line(fmt::format("{}place(...);", condition(placed.guard)), addresses_.text(placed.address));
-    if (!result.empty()) line(fmt::format("return {};", result), "");
+    line(fmt::format("return {};", result([this](NodeId node) { return name(node); })), "");
     return std::move(text_);
   }
 
@@ -156,7 +159,7 @@ std::string dot_string(const std::string& text) {
 }  // namespace
 
 std::string trace_text(const Graph& graph, const AddressTable& addresses, const Trace& trace,
-                       const std::string& result) {
+                       const Result& result) {
   return TextPrinter(graph, addresses).run(trace, result);
 }
 

@@ -78,6 +78,7 @@ struct Trace {
   std::vector<TracePlaced> placed;
   std::vector<TraceBlocker> blockers;
   std::vector<TraceMistake> mistakes;
+  std::vector<NodeId> returned;  // on which the program's value depends
 };
 
 /// Collects a Trace during an evaluation. Effects go into the current segment with guards that are relative
