@@ -83,7 +83,10 @@ std::uint32_t nesting(const Value& value) {
 bool same(const Value& a, const Value& b) {
   if (a.identical(b)) return true;
   if (a.data().index() != b.data().index()) return false;
-  if (const String* text = a.object<String>()) return text->text == b.object<String>()->text;
+  if (const String* text = a.object<String>()) {
+    const String* other = b.object<String>();
+    return text->text == other->text && text->opaque == other->opaque;
+  }
   if (const List* list = a.as_list()) return same_all(list->items, b.as_list()->items);
   if (const Record* record = a.object<Record>()) {
     return record->type == b.object<Record>()->type && same_all(record->fields, b.object<Record>()->fields);
@@ -102,6 +105,15 @@ bool same(const Value& a, const Value& b) {
     });
   }
   return false;
+}
+
+bool is_known(const Value& value) {
+  if (const String* text = value.object<String>()) return !text->opaque;
+  if (const List* list = value.as_list())
+    return std::all_of(list->items.begin(), list->items.end(), is_known);
+  if (const Record* record = value.object<Record>())
+    return std::all_of(record->fields.begin(), record->fields.end(), is_known);
+  return !value.is<Symbol>() && value.as_union() == nullptr;
 }
 
 Value Value::string(std::string text) { return make_ref<String>(std::move(text)); }

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -93,6 +94,9 @@ class Value {
 struct String : Counted {
   explicit String(std::string value) : text(std::move(value)) {}
   std::string text;
+  /// In a symbolic pass: the call that made it of values that depend on choices. What it says is known only
+  /// when a solution is replayed.
+  std::optional<Span> opaque;
 };
 
 struct List : Counted {
@@ -151,6 +155,9 @@ struct Union : Counted {
 /// Whether the two are the same value for every execution: equal nodes, constants and members. Decided
 /// without a solver, so false only means that it is not obvious.
 bool same(const Value& a, const Value& b);
+
+/// Whether no part of the value depends on choices that are left open.
+bool is_known(const Value& value);
 
 /// "an int", "a list", "nothing (nil)": how messages call the value.
 std::string describe(const Value& value);
