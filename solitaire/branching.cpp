@@ -181,6 +181,20 @@ void Evaluator::mistake(Span span, const std::string& message, const std::string
   end_path();
 }
 
+void Evaluator::mistake_if(const Value& wrong, Span span, const std::string& message,
+                           const std::string& help) {
+  const NodeId condition = settle(this->condition(wrong, span));
+  if (condition == kFalse || graph_.node(condition).has_float) return;
+  if (condition == kTrue) mistake(span, message, help);
+  const std::array guards = {condition, graph_.negation(condition)};
+  Value none;
+  split(guards, {}, none, [&](std::size_t side, Value&) {
+    if (side == 0) mistake(span, message, help);
+    return true;
+  });
+  path_.facts.assume(guards[1], true);
+}
+
 void Evaluator::beyond_engine(Span span, const std::string& message, const std::string& help) {
   if (!symbolic()) mistake(span, message, help);
   recorder_->add(TraceMistake{path_.guard(), activation_address(*current_), span, message, help, false});

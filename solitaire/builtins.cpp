@@ -17,6 +17,19 @@ Span argument_span(Call call, std::size_t number) {
 
 // ---- choices
 
+/// The step of a range, an int from 1.
+Value checked_step(Evaluator& evaluator, Call call) {
+  const Span span = argument_span(call, 2);
+  const std::string message = "the step of a range is an int from 1, not {}";
+  return evaluator.each_shape(call.arguments[2], [&](const Value& step) {
+    if (!step.has_type(Type::kInt))
+      evaluator.mistake(span, fmt::format(fmt::runtime(message), describe(step)));
+    evaluator.mistake_if(evaluator.compare(BinaryOp::kLess, step, std::int64_t{1}, span), span,
+                         fmt::format(fmt::runtime(message), to_text(step)));
+    return step;
+  });
+}
+
 Value range(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
   return evaluator.each_shape(call.arguments[0], [&](const Value& lo) {
@@ -25,21 +38,15 @@ Value range(Evaluator& evaluator, Call call) {
         evaluator.mistake(span, fmt::format("'range' chooses an int between two ints, here are {} and {}",
                                             describe(lo), describe(hi)));
       }
-      std::int64_t step = 1;
-      if (given(call.arguments[2])) {
-        const auto* known = call.arguments[2].get<std::int64_t>();
-        if (known == nullptr || *known < 1)
-          evaluator.mistake(argument_span(call, 2),
-                            "the step of a range is an int from 1 that is known before any choice");
-        step = *known;
-      }
+      const Value step = given(call.arguments[2]) ? checked_step(evaluator, call) : std::int64_t{1};
       return evaluator.decide(call.site, lo, hi, step, ChoiceKind::kInt);
     });
   });
 }
 
 Value flip(Evaluator& evaluator, Call call) {
-  const Value side = evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, 1, ChoiceKind::kBool);
+  const Value side =
+      evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, std::int64_t{1}, ChoiceKind::kBool);
   return evaluator.equal(side, std::int64_t{1});
 }
 
@@ -49,7 +56,7 @@ Value choose(Evaluator& evaluator, Call call) {
   const Value last = evaluator.with_items(
       list, "choose", argument_span(call, 0),
       [](const std::vector<Value>& items) { return Value(static_cast<std::int64_t>(items.size()) - 1); });
-  const Value index = evaluator.decide(call.site, std::int64_t{0}, last, 1, ChoiceKind::kIndex);
+  const Value index = evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, ChoiceKind::kIndex);
   return evaluator.element(list, index, call.site.span);
 }
 
@@ -99,6 +106,10 @@ Value float_function(Evaluator& evaluator, Call call, Op op) {
   return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
     if (!x.is_number())
       evaluator.mistake(span, fmt::format("'{}' needs a number, not {}", operation(op).name, describe(x)));
+    if (op == Op::kSqrt && x.is<Symbol>()) {
+      evaluator.mistake_if(evaluator.compare(BinaryOp::kLess, x, std::int64_t{0}, span), span,
+                           "'sqrt' of a negative number has no value");
+    }
     return evaluator.unary(op, evaluator.to_float(x, span), span);
   });
 }
@@ -152,8 +163,10 @@ Value any(Evaluator& evaluator, Call call) {
 
 Value length(Evaluator& evaluator, Call call) {
   return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
-    if (const String* text = x.object<String>())
+    if (const String* text = x.object<String>()) {
+      evaluator.check_known(x);
       return static_cast<std::int64_t>(count_characters(text->text));
+    }
     if (x.as_list() == nullptr)
       evaluator.mistake(call.site.span, fmt::format("'length' needs a list, not {}", describe(x)));
     return static_cast<std::int64_t>(x.as_list()->items.size());
@@ -270,13 +283,14 @@ Value str(Evaluator& evaluator, Call call) {
   return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
     if (x.object<String>() != nullptr) return x;
     const Symbol* symbol = x.get<Symbol>();
-    if (symbol == nullptr) return Value::string(to_text(x));
+    if (symbol == nullptr && is_known(x)) return Value::string(to_text(x));
+    if (symbol == nullptr) return evaluator.opaque_string(call.site.span);
     Graph& graph = evaluator.graph();
     if (symbol->type == Type::kBool)
       return merge(graph, symbol->node, Value::string("true"), Value::string("false"));
     const Interval interval = graph.node(symbol->node).interval;
     if (symbol->type == Type::kFloat || interval.hi - interval.lo >= kMostChosenTexts) {
-      return Value::string("?");  // known when the solution is replayed
+      return evaluator.opaque_string(call.site.span);
     }
     Value text = Value::string(std::to_string(interval.hi));
     for (std::int64_t i = interval.hi - 1; i >= interval.lo; --i) {
@@ -309,27 +323,25 @@ constexpr std::pair<std::string_view, std::uint32_t> kColors[] = {
     {"purple", 0x7d4f9e}, {"pink", 0xe79ab0},   {"brown", 0x8b5a2b},  {"beige", 0xe6d8b8},
 };
 
+/// Reads the arguments of place(). Where they depend on choices, every shape that they can have is checked,
+/// and what is read is of no use.
 class PlaceReader {
  public:
   PlaceReader(Evaluator& evaluator, Call call) : evaluator_(evaluator), call_(call) {}
 
-  /// Fails where an argument cannot be used; members whose values depend on choices stay as they are.
   Placement read() {
     Placement made;
-    made.asset = text("asset", 0, "");
-    const auto at = numbers("at", 1, 2, 3);
-    for (std::size_t i = 0; i < at.size(); ++i) made.at[i] = at[i];
-    made.size = numbers("size", 2, 2, 3);
-    if (!evaluator_.symbolic()) {
-      for (const double extent : made.size) {
-        if (!(extent > 0)) fail("size", fmt::format("is made of positive numbers, not {}", extent));
-      }
-    }
+    each(0, [&](const Value& asset) { made.asset = text("asset", asset); });
+    each(1, [&](const Value& at) { std::ranges::copy(numbers("at", at, 2, 3), made.at.begin()); });
+    each(2, [&](const Value& size) {
+      made.size = numbers("size", size, 2, 3);
+      check_all(size, [&](const Value& extent) { check_extent(extent); });
+    });
     if (given(argument(3)) && given(argument(4))) fail("turn", "and angle: give one of them");
-    if (given(argument(3))) made.turn = turn();
-    if (given(argument(4))) made.angle = number("angle", argument(4));
-    if (given(argument(5))) made.color = color();
-    made.name = text("name", 6, "");
+    each(3, [&](const Value& turns) { made.turn = turn(turns); });
+    each(4, [&](const Value& angle) { made.angle = number("angle", angle); });
+    each(5, [&](const Value& value) { made.color = color(value); });
+    each(6, [&](const Value& name) { made.name = text("name", name); });
     for (const auto& [name, value] : call_.extras) made.extras.emplace_back(name, to_json(value));
     return made;
   }
@@ -337,13 +349,25 @@ class PlaceReader {
  private:
   const Value& argument(std::size_t number) const { return call_.arguments[number]; }
 
+  /// Reads every shape that an argument can have, if it was given.
+  template <class Read>
+  void each(std::size_t number, Read read) {
+    if (given(argument(number))) each_shape(argument(number), read);
+  }
+  template <class Read>
+  void each_shape(const Value& value, Read read) {
+    evaluator_.each_shape(value, [&](const Value& one) { return read(one), Value::nil(); });
+  }
+
   [[noreturn]] void fail(const char* parameter, const std::string& why) {
-    evaluator_.mistake(call_.site.span, fmt::format("place: '{}' {}", parameter, why));
+    evaluator_.mistake(call_.site.span, message(parameter, why));
+  }
+  static std::string message(const char* parameter, const std::string& why) {
+    return fmt::format("place: '{}' {}", parameter, why);
   }
 
   double number(const char* parameter, const Value& value) {
-    if (value.as_union() == nullptr && !value.is_number())
-      fail(parameter, "needs a number, not " + describe(value));
+    if (!value.is_number()) fail(parameter, "needs a number, not " + describe(value));
     if (const auto* i = value.get<std::int64_t>()) return static_cast<double>(*i);
     if (const auto* d = value.get<double>()) {
       if (!std::isfinite(*d)) fail(parameter, "is not finite");
@@ -352,45 +376,64 @@ class PlaceReader {
     return 0;
   }
 
-  std::vector<double> numbers(const char* parameter, std::size_t position, std::size_t least,
+  std::vector<double> numbers(const char* parameter, const Value& value, std::size_t least,
                               std::size_t most) {
-    const Value& value = argument(position);
-    if (!given(value) || value.is<Value::Nil>() || value.as_union() != nullptr) return {};
+    if (value.is<Value::Nil>()) return {};
     const List* list = value.as_list();
     if (list == nullptr || list->items.size() < least || list->items.size() > most) {
       fail(parameter, fmt::format("is a list of {} or {} numbers, not {}", least, most, to_text(value)));
     }
-    std::vector<double> made;
-    for (const Value& item : list->items) made.push_back(number(parameter, item));
+    std::vector<double> made(list->items.size());
+    for (std::size_t i = 0; i < made.size(); ++i)
+      each_shape(list->items[i], [&](const Value& one) { made[i] = number(parameter, one); });
     return made;
   }
 
-  std::string text(const char* parameter, std::size_t position, std::string usual) {
-    const Value& value = argument(position);
-    if (!given(value) || value.is<Value::Nil>() || value.as_union() != nullptr) return usual;
+  /// For numbers that have been read.
+  template <class Check>
+  void check_all(const Value& numbers, Check check) {
+    if (numbers.is<Value::Nil>()) return;
+    for (const Value& item : numbers.as_list()->items) {
+      each_shape(item, check);
+    }
+  }
+
+  void check_extent(const Value& extent) {
+    const Value wrong = evaluator_.compare(BinaryOp::kLessEqual, extent, std::int64_t{0}, call_.site.span);
+    evaluator_.mistake_if(wrong, call_.site.span,
+                          message("size", "is made of positive numbers, not " + to_text(extent)));
+  }
+
+  void check_color_part(const Value& part) {
+    const Span span = call_.site.span;
+    const Value wrong =
+        evaluator_.either(evaluator_.compare(BinaryOp::kLess, part, std::int64_t{0}, span),
+                          evaluator_.compare(BinaryOp::kGreater, part, std::int64_t{1}, span));
+    evaluator_.mistake_if(wrong, span,
+                          message("color", "is a list of red, green and blue, each from 0 to 1"));
+  }
+
+  std::string text(const char* parameter, const Value& value) {
+    if (value.is<Value::Nil>()) return "";
     if (value.object<String>() == nullptr) fail(parameter, "is a string, not " + describe(value));
     return value.object<String>()->text;
   }
 
-  int turn() {
-    const Value& value = argument(3);
-    if (value.as_union() == nullptr && !value.has_type(Type::kInt))
-      fail("turn", "is a number of quarter turns, not " + describe(value));
+  int turn(const Value& value) {
+    if (!value.has_type(Type::kInt)) fail("turn", "is a number of quarter turns, not " + describe(value));
     const auto* known = value.get<std::int64_t>();
     return known == nullptr ? 0 : static_cast<int>(((*known % 4) + 4) % 4);
   }
 
-  std::optional<std::array<double, 3>> color() {
-    const Value& value = argument(5);
-    if (value.is<Value::Nil>() || value.as_union() != nullptr) return std::nullopt;
+  std::optional<std::array<double, 3>> color(const Value& value) {
+    if (value.is<Value::Nil>()) return std::nullopt;
     if (value.as_list() != nullptr) {
-      const auto parts = numbers("color", 5, 3, 3);
-      for (const double part : parts) {
-        if (part < 0 || part > 1) fail("color", "is a list of red, green and blue, each from 0 to 1");
-      }
+      const auto parts = numbers("color", value, 3, 3);
+      check_all(value, [&](const Value& part) { check_color_part(part); });
       return std::array<double, 3>{parts[0], parts[1], parts[2]};
     }
-    const std::string name = text("color", 5, "");
+    if (!is_known(value)) return std::nullopt;
+    const std::string name = text("color", value);
     std::vector<std::string> names;
     for (const auto& [known, rgb] : kColors) {
       if (known == name) return rgb_of(rgb);
@@ -421,14 +464,16 @@ Value place(Evaluator& evaluator, Call call) {
 }
 
 Value unit(Evaluator& evaluator, Call call) {
-  const Value& metres = call.arguments[0];
-  if (metres.is<Symbol>() || metres.as_union() != nullptr) return Value::nil();
-  const double value = metres.is<std::int64_t>() ? static_cast<double>(*metres.get<std::int64_t>())
-                       : metres.is<double>()     ? *metres.get<double>()
-                                                 : 0;
-  if (!(value > 0)) evaluator.mistake(call.site.span, "a unit is a positive number of metres");
-  evaluator.execution().unit = value;
-  return Value::nil();
+  const Span span = call.site.span;
+  const char* message = "a unit is a positive number of metres";
+  return evaluator.each_shape(call.arguments[0], [&](const Value& metres) {
+    if (!metres.is_number()) evaluator.mistake(span, message);
+    evaluator.mistake_if(evaluator.compare(BinaryOp::kLessEqual, metres, std::int64_t{0}, span), span,
+                         message);
+    if (const auto* i = metres.get<std::int64_t>()) evaluator.execution().unit = static_cast<double>(*i);
+    if (const auto* d = metres.get<double>()) evaluator.execution().unit = *d;
+    return Value::nil();
+  });
 }
 
 std::vector<Builtin> make_table() {

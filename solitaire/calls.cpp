@@ -170,12 +170,12 @@ std::vector<std::string> Evaluator::call_names() const {
 
 // ---- choices and placed things
 
-/// Where the first value or the step depends on choices, so does which values there are: then the domain is all
-/// ints between the ends, and those that the steps miss are ruled out.
+/// Where the first value or the step depends on choices, so does which values there are: then the domain is
+/// all ints between the ends, and those that the steps miss are ruled out.
 Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
                         ChoiceKind kind) {
-  const bool known_values = lo.is<std::int64_t>() && step.is<std::int64_t>();
-  ChoiceDomain domain{0, 0, known_values ? *step.get<std::int64_t>() : 1, kind};
+  const auto* known_step = lo.is<std::int64_t>() ? step.get<std::int64_t>() : nullptr;
+  ChoiceDomain domain{0, 0, known_step != nullptr ? *known_step : 1, kind};
   const bool fixed = lo.is<std::int64_t>() && hi.is<std::int64_t>();
   if (fixed) {
     domain.lo = *lo.get<std::int64_t>();
@@ -193,7 +193,7 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   const NodeId variable = answer ? graph_.constant(*answer) : graph_.choice({address, domain});
   if (answer) execution_.choices.push_back({address, domain, *answer});
   if (symbolic()) recorder_->add(TraceChoice{path_.guard(), variable, address, domain, site.span});
-  if (answer && fixed) {
+  if (answer && fixed && known_step != nullptr) {
     const bool fits =
         *answer >= domain.lo && *answer <= domain.hi && (*answer - domain.lo) % domain.step == 0;
     if (!fits) reject(Requirement::kRange, site.span);
@@ -204,7 +204,7 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
     require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kRange, site.span);
     require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), Requirement::kRange, site.span);
   }
-  if (!known_values) {
+  if (!step.identical(domain.step)) {
     const NodeId offset = apply(Op::kSub, {variable, node_of(graph_, lo)}, site.span);
     const NodeId rest = apply(Op::kMod, {offset, node_of(graph_, step)}, site.span);
     require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kRange,

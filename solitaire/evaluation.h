@@ -74,6 +74,9 @@ class Evaluator {
   void require(NodeId condition, Requirement requirement, Span span, const std::string& message = "");
   /// The program is wrong on this path.
   [[noreturn]] void mistake(Span span, const std::string& message, const std::string& help = "");
+  /// The program is wrong for those executions on this path for which the condition, a bool, holds. If that
+  /// depends on floats that depend on choices, it is left to the replays of solutions.
+  void mistake_if(const Value& wrong, Span span, const std::string& message, const std::string& help = "");
   /// The program may be right here, but a symbolic pass cannot go on.
   [[noreturn]] void beyond_engine(Span span, const std::string& message, const std::string& help = "");
   /// graph().apply, with what it throws turned into mistakes.
@@ -102,7 +105,7 @@ class Evaluator {
                    std::vector<std::pair<const Argument*, Value>> named);
   /// The address of a site of the running function, in the current turns of its loops.
   AddressId address_of(std::string_view label);
-  Value decide(const CallExpr& site, const Value& lo, const Value& hi, std::int64_t step, ChoiceKind kind);
+  Value decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step, ChoiceKind kind);
   void place(Placement placement, const CallExpr& site, std::span<const Value> depends);
   Execution& execution() { return execution_; }
   std::string text(AddressId address) const { return addresses_.text(address); }
@@ -116,6 +119,9 @@ class Evaluator {
   /// Structural equality, as a bool.
   Value equal(const Value& a, const Value& b);
   Value invert(const Value& condition);
+  Value opaque_string(Span span);
+  /// For what needs to know what a string says.
+  void check_known(const Value& text);
   /// Of bools that are no unions.
   Value both(const Value& a, const Value& b);
   Value either(const Value& a, const Value& b);
@@ -323,7 +329,8 @@ bool Evaluator::branch(NodeId condition, const Site& site, Span span, std::span<
   check_condition(condition, span);
   const std::array guards = {condition, graph_.negation(condition)};
   return split(guards, assigned, value, [&](std::size_t side, Value& made) {
-    if (!site.label.empty()) enter_side(site, side == 0 ? BranchSide::Kind::kThen : BranchSide::Kind::kElse, span);
+    if (!site.label.empty())
+      enter_side(site, side == 0 ? BranchSide::Kind::kThen : BranchSide::Kind::kElse, span);
     return side == 0 ? then_part(made) : else_part(made);
   });
 }

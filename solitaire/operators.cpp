@@ -59,6 +59,7 @@ Value Evaluator::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, 
   if (op == BinaryOp::kAdd && a.object<String>() != nullptr && b.object<String>() != nullptr) {
     std::string text = a.object<String>()->text + b.object<String>()->text;
     step(span, text.size());
+    if (!is_known(a) || !is_known(b)) return opaque_string(span);
     return Value::string(std::move(text));
   }
   std::string help;
@@ -115,7 +116,9 @@ Value Evaluator::float_arithmetic(BinaryOp op, const Value& a, const Value& b, S
   }
   const Value x = to_float(a, span);
   const Value y = to_float(b, span);
-  if (op == BinaryOp::kDivide && y.is<double>() && *y.get<double>() == 0) reject(Requirement::kDivisor, span);
+  if (op == BinaryOp::kDivide) {
+    require(condition(invert(equal(b, std::int64_t{0})), span), Requirement::kDivisor, span);
+  }
   if (constant(x) && constant(y)) {
     const Scalar operands[] = {Scalar::of(*x.get<double>()), Scalar::of(*y.get<double>())};
     return operation(*row.on_floats).fold(operands)->f;
@@ -202,6 +205,20 @@ Value Evaluator::both(const Value& a, const Value& b) {
 
 Value Evaluator::either(const Value& a, const Value& b) { return invert(both(invert(a), invert(b))); }
 
+/// A text that only the replay of a solution knows; `span` is what makes it.
+Value Evaluator::opaque_string(Span span) {
+  Ref<String> text = make_ref<String>("?");
+  text->opaque = span;
+  return text;
+}
+
+void Evaluator::check_known(const Value& text) {
+  if (const auto& opaque = text.object<String>()->opaque) {
+    beyond_engine(*opaque, "this text depends on choices, and the program looks at what it says",
+                  "look at the values that it is made of");
+  }
+}
+
 Value Evaluator::equal(const Value& a, const Value& b) {
   if (a.as_union() == nullptr && b.as_union() == nullptr) return equal_shaped(a, b);
   return each_shape(
@@ -231,6 +248,10 @@ Value Evaluator::equal_shaped(const Value& a, const Value& b) {
   if (const Record* record = a.object<Record>(); record != nullptr && b.object<Record>() != nullptr) {
     const Record* other = b.object<Record>();
     return record->type == other->type ? equal_members(record->fields, other->fields) : Value(false);
+  }
+  if (a.object<String>() != nullptr && b.object<String>() != nullptr) {
+    check_known(a);
+    check_known(b);
   }
   return same(a, b);
 }

@@ -1,0 +1,4 @@
+s = range(-1, 2);
+y = sqrt(s);
+assert(s > 0);
+return y;
