@@ -1,5 +1,5 @@
-// Laws that hold for every row of the operation table: folding, intervals, simplification and the solver's
-// encoding all say the same. They loop over the table, so an operation that is added is tested, and fails
+// Laws that hold for every row of the operation table: folding, intervals, simplification and the encoding of
+// each solver all say the same. They loop over the table, so an operation that is added is tested, and fails
 // until `means` below knows it.
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "smt/encode.h"
+#include "smt/cadical_solver.h"
 #include "smt/z3_solver.h"
 #include "tracegraph/assignment.h"
 #include "tracegraph/graph.h"
@@ -418,7 +418,18 @@ TEST_CASE("graph: hash-consing finds equal expressions, whichever way round thei
   CHECK(graph.size() <= size + 10'000);  // a constant and a product each, and none twice
 }
 
-// ---- the solver
+// ---- the solvers
+
+struct Z3 {
+  static std::unique_ptr<Solver> make(const Graph& graph, const AddressTable& addresses) {
+    return make_z3_solver(graph, addresses, {});
+  }
+};
+struct Cadical {
+  static std::unique_ptr<Solver> make(const Graph& graph, const AddressTable&) {
+    return make_cadical_solver(graph, {});
+  }
+};
 
 const ChoiceDomain kDomains[] = {
     {0, 1, 1, {}},      {0, 3, 1, {}},       {0, 4, 1, {}},   {1, 4, 1, {}},     {-3, 2, 1, {}},
@@ -447,8 +458,9 @@ struct Puzzle {
     if (graph.node(node).type() == Type::kBool) return value.i != 0 ? node : graph.negation(node);
     return is(node, value.i);
   }
+  template <class BackEnd>
   bool possible(NodeId condition) {
-    const auto solver = make_z3_solver(graph, addresses, {});
+    const auto solver = BackEnd::make(graph, addresses);
     solver->add_clause({&condition, 1});
     return solver->check({}, never) == Verdict::kSatisfiable;
   }
@@ -459,12 +471,13 @@ struct Puzzle {
   StopSignal never;
 };
 
-TEST_CASE("solver: a choice takes the values of its domain, each and no other") {
+TEST_CASE_TEMPLATE("solver: a choice takes the values of its domain, each and no other", BackEnd, Z3,
+                   Cadical) {
   for (const ChoiceDomain& domain : kDomains) {
     Puzzle puzzle;
     const NodeId x = puzzle.choice(domain);
     const NodeId known = puzzle.graph.apply(Op::kLeInt, {x, puzzle.choice({-2000, 2000, 1, {}})});
-    const auto solver = make_z3_solver(puzzle.graph, puzzle.addresses, {});
+    const auto solver = BackEnd::make(puzzle.graph, puzzle.addresses);
     solver->add_clause({&known, 1});
     std::vector<std::int64_t> found;
     while (solver->check({}, puzzle.never) == Verdict::kSatisfiable && found.size() < 1000) {
@@ -514,43 +527,46 @@ NodeId difference(Puzzle& puzzle, const std::vector<ChoiceDomain>& domains, std:
   return differ;
 }
 
+template <class BackEnd>
 void check_encoding(const std::vector<ChoiceDomain>& domains) {
   Puzzle puzzle;
   for (const ChoiceDomain& domain : domains) puzzle.choice(domain);
-  if (!puzzle.possible(difference(puzzle, domains, std::nullopt))) return;
+  if (!puzzle.possible<BackEnd>(difference(puzzle, domains, std::nullopt))) return;
   each_operation([&](const Operation& row) {
-    if (!on_ints(row) || !puzzle.possible(difference(puzzle, domains, row.op))) return;
+    if (!on_ints(row) || !puzzle.possible<BackEnd>(difference(puzzle, domains, row.op))) return;
     FAIL_CHECK(row.name, " of ", domains[0].lo, "..", domains[0].hi, " and ", domains[1].lo, "..",
                domains[1].hi);
   });
 }
 
-TEST_CASE("solver: the encoding of every operation agrees with its fold, over pairs of domains") {
+TEST_CASE_TEMPLATE("solver: the encoding of every operation agrees with its fold, over pairs of domains",
+                   BackEnd, Z3, Cadical) {
   for (const ChoiceDomain& a : kDomains) {
-    for (const ChoiceDomain& b : kDomains) check_encoding({a, b});
+    for (const ChoiceDomain& b : kDomains) check_encoding<BackEnd>({a, b});
   }
 }
 
-TEST_CASE("solver: the encoding of every operation agrees with its fold, over triples of domains") {
+TEST_CASE_TEMPLATE("solver: the encoding of every operation agrees with its fold, over triples of domains",
+                   BackEnd, Z3, Cadical) {
   for (const std::size_t first : {0, 4, 10}) {
     for (const std::size_t second : {1, 4, 5, 11}) {
       for (const std::size_t third : {3, 9, 13})
-        check_encoding({kDomains[first], kDomains[second], kDomains[third]});
+        check_encoding<BackEnd>({kDomains[first], kDomains[second], kDomains[third]});
     }
   }
 }
 
-TEST_CASE("solver: the encoding holds out to the ends of the exact range") {
+TEST_CASE_TEMPLATE("solver: the encoding holds out to the ends of the exact range", BackEnd, Z3, Cadical) {
   const ChoiceDomain top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
   const ChoiceDomain half{(std::int64_t{1} << 61) - 1, std::int64_t{1} << 61, 1, {}};
   const ChoiceDomain whole{-kIntLimit, kIntLimit, kIntLimit, {}};
   const ChoiceDomain sign{-1, 1, 1, {}}, small{2, 3, 1, {}};
   const std::pair<ChoiceDomain, ChoiceDomain> pairs[] = {{top, bottom},   {top, sign},  {bottom, sign},
                                                          {bottom, small}, {half, half}, {whole, half}};
-  for (const auto& [a, b] : pairs) check_encoding({a, b});
+  for (const auto& [a, b] : pairs) check_encoding<BackEnd>({a, b});
 }
 
-TEST_CASE("solver: random expressions come out as their operations fold") {
+TEST_CASE_TEMPLATE("solver: random expressions come out as their operations fold", BackEnd, Z3, Cadical) {
   for (std::uint64_t seed = 1000; seed < 1120; ++seed) {
     Sketch sketch(seed, false);
     for (int i = 0; i < 60; ++i) sketch.grow();
@@ -574,20 +590,21 @@ TEST_CASE("solver: random expressions come out as their operations fold") {
       differ = graph.disjunction(differ, graph.conjunction(here, wrong));
     }
     const StopSignal never;
-    const auto solver = make_z3_solver(graph, sketch.addresses, {});
+    const auto solver = BackEnd::make(graph, sketch.addresses);
     solver->add_clause({&differ, 1});
     CAPTURE(seed);
     REQUIRE(solver->check({}, never) == Verdict::kUnsatisfiable);
   }
 }
 
-TEST_CASE("solver: a core names assumptions that cannot hold together, and nothing if none matters") {
+TEST_CASE_TEMPLATE("solver: a core names assumptions that cannot hold together, and nothing if none matters",
+                   BackEnd, Z3, Cadical) {
   Puzzle puzzle;
   const NodeId x = puzzle.choice({0, 9, 1, {}}), y = puzzle.choice({0, 9, 1, {}});
   const NodeId low = puzzle.graph.apply(Op::kLtInt, {x, puzzle.graph.constant(std::int64_t{3})});
   const NodeId high = puzzle.graph.apply(Op::kLtInt, {puzzle.graph.constant(std::int64_t{5}), x});
   const NodeId aside = puzzle.is(y, 4);
-  const auto solver = make_z3_solver(puzzle.graph, puzzle.addresses, {});
+  const auto solver = BackEnd::make(puzzle.graph, puzzle.addresses);
   const NodeId assumed[] = {aside, low, high};
   REQUIRE(solver->check(assumed, puzzle.never) == Verdict::kUnsatisfiable);
   const std::vector<NodeId> core = solver->core();
@@ -599,11 +616,11 @@ TEST_CASE("solver: a core names assumptions that cannot hold together, and nothi
   CHECK(solver->core().empty());
 }
 
-TEST_CASE("solver: a stop signal ends a check") {
+TEST_CASE_TEMPLATE("solver: a stop signal ends a check", BackEnd, Z3, Cadical) {
   Puzzle puzzle;
   puzzle.never.request();
   const NodeId condition = puzzle.is(puzzle.choice({0, 9, 1, {}}), 3);
-  const auto solver = make_z3_solver(puzzle.graph, puzzle.addresses, {});
+  const auto solver = BackEnd::make(puzzle.graph, puzzle.addresses);
   CHECK(solver->check({&condition, 1}, puzzle.never) == Verdict::kStopped);
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+#include <memory>
+
+#include "smt/solver.h"
+
+namespace solitaire {
+
+struct CadicalOptions {
+  std::uint64_t seed = 0;
+};
+
+/// The fast back end: CaDiCaL on the clauses that cnf.h writes of the circuits of bit_blast.h. The same calls
+/// with the same seed give the same models.
+std::unique_ptr<Solver> make_cadical_solver(const Graph& graph, const CadicalOptions& options);
+
+}  // namespace solitaire

@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "smt/circuit.h"
+
+namespace solitaire {
+
+/// Receives clauses. A literal is the number of a variable, from 1 on, or its negative.
+class ClauseSink {
+ public:
+  virtual ~ClauseSink() = default;
+  virtual void clause(std::span<const int> literals) = 0;
+};
+
+/// Writes what is required of a circuit's literals as clauses.
+///
+/// A gate becomes a variable only where it is used, with the clauses of the one direction in which it is used
+/// (Plaisted and Greenbaum 1986); those of the other follow once that is needed. Of gates with a single use,
+/// disjunctions become part of their clause, and conjunctions several clauses, without a variable.
+class Cnf {
+ public:
+  Cnf(Circuit& circuit, ClauseSink& sink) : circuit_(circuit), sink_(sink) {}
+
+  /// At least one of the literals holds.
+  void add_clause(std::span<const Literal> literals);
+  /// The number of a literal that can be assumed: where it holds, the circuit's literal holds.
+  int assumable(Literal literal);
+  /// The variable that stands for an input of the circuit.
+  int variable(Literal input) { return number(input); }
+  /// The same, 0 if no clause has met the input yet.
+  int known_variable(Literal input) const;
+
+ private:
+  struct Clause {
+    int head = 0;  // a literal as the sink knows it that stands before the others; 0: none
+    std::vector<Literal> literals;
+  };
+
+  void write_all();
+  void write(Clause clause);
+  bool flatten(std::vector<Literal>& literals) const;
+  bool distribute(const Clause& clause);
+  void define(Literal literal);
+  void push_meaning(Literal literal, const Clause& rest);
+  void push_conjuncts(Literal conjunction, const Clause& rest);
+  int demand(Literal literal);
+  int number(Literal literal);
+
+  bool has_number(Literal literal) const {
+    return literal.gate() < numbers_.size() && numbers_[literal.gate()] != 0;
+  }
+  /// Whether a variable of its own for the gate would serve nothing but its one use.
+  bool inlinable(Literal literal) const;
+  bool is_conjunction(Literal literal) const {
+    return circuit_.gate(literal).kind == Circuit::Kind::kAnd && !literal.negated();
+  }
+  bool is_disjunction(Literal literal) const {
+    return circuit_.gate(literal).kind == Circuit::Kind::kAnd && literal.negated();
+  }
+
+  Circuit& circuit_;
+  ClauseSink& sink_;
+  int variables_ = 0;
+  std::vector<int> numbers_;          // of the variables, by gate; 0: none yet
+  std::vector<bool> defined_;         // by literal: whether it implies what it means
+  std::vector<Clause> clauses_;       // to be written
+  std::vector<Literal> definitions_;  // to be written
+  std::vector<int> buffer_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,430 @@
+// What the laws of laws_test.cpp leave open about the path over circuits and clauses: gates that are needed
+// in one direction first and in the other later, and CaDiCaL between checks.
+#include "smt/bit_blast.h"
+
+#include <algorithm>
+#include <array>
+#include <doctest/doctest.h>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "smt/cadical_solver.h"
+#include "smt/z3_solver.h"
+#include "tracegraph/assignment.h"
+#include "tracegraph/graph.h"
+
+namespace solitaire {
+namespace {
+
+/// Random bool nodes over a few choices.
+class Thicket {
+ public:
+  /// Total: without divisions by what can be zero, of which solvers make what they like.
+  Thicket(std::uint64_t seed, bool total, std::vector<ChoiceDomain> given)
+      : domains(std::move(given)), random_(seed), total_(total) {
+    for (const ChoiceDomain& domain : domains) {
+      const AddressId address = addresses.site(addresses.root(), std::to_string(ints_.size()));
+      ints_.push_back(graph.choice({address, domain}));
+    }
+    for (const std::int64_t each : {-3, 0, 2, 5}) ints_.push_back(graph.constant(each));
+    bools_ = {kTrue, kFalse};
+  }
+
+  void grow() {
+    const auto op = static_cast<Op>(random_() % kOpCount);
+    const Operation& row = operation(op);
+    if (row.arity == 0 || row.operand == Type::kFloat || row.result == Type::kFloat) return grow();
+    const bool ite = op == Op::kIteBool || op == Op::kIteInt;
+    const NodeId a = ite ? some(Type::kBool) : some(row.operand);
+    const NodeId b = some(row.operand), c = some(row.operand);
+    const bool divides = op == Op::kDiv || op == Op::kMod;
+    if (total_ && divides && graph.node(b).interval.contains(0)) return;
+    try {
+      const NodeId made = row.arity == 1   ? graph.apply(op, {a})
+                          : row.arity == 2 ? graph.apply(op, {a, b})
+                                           : graph.apply(op, {a, b, c});
+      if (row.result == Type::kBool || bit_width(graph.node(made).interval) < 12)
+        nodes(row.result).push_back(made);
+    } catch (const UndefinedOperation&) {
+    }
+  }
+
+  NodeId some(Type type) { return nodes(type)[random_() % nodes(type).size()]; }
+  NodeId condition() {
+    const NodeId node = some(Type::kBool);
+    return random_() % 2 == 0 ? node : graph.negation(node);
+  }
+  std::vector<NodeId> conditions(std::size_t most) {
+    std::vector<NodeId> result(1 + random_() % most);
+    for (NodeId& each : result) each = condition();
+    return result;
+  }
+
+  /// Calls `visit` with every assignment of the choices.
+  void each_assignment(const std::function<void(Assignment&)>& visit) const {
+    std::vector<std::int64_t> values;
+    for (const ChoiceDomain& domain : domains) values.push_back(domain.lo);
+    while (true) {
+      Assignment assignment(graph, [&](std::size_t variable) { return values[variable]; });
+      visit(assignment);
+      std::size_t at = 0;
+      while (at < values.size() && (values[at] += domains[at].step) > domains[at].hi) {
+        values[at] = domains[at].lo;
+        ++at;
+      }
+      if (at == values.size()) return;
+    }
+  }
+
+  Graph graph;
+  AddressTable addresses;
+  std::vector<ChoiceDomain> domains;
+
+ private:
+  std::vector<NodeId>& nodes(Type type) { return type == Type::kBool ? bools_ : ints_; }
+
+  std::mt19937_64 random_;
+  bool total_;
+  std::vector<NodeId> ints_, bools_;
+};
+
+const std::vector<ChoiceDomain> kFew = {{-2, 2, 1, {}}, {0, 1, 1, {}}, {3, 9, 3, {}}, {-4, -1, 1, {}}};
+
+using Clauses = std::vector<std::vector<NodeId>>;
+
+/// Whether it holds, fails, or depends on an operation without meaning, whose value is anyone's guess.
+enum class Truth { kHolds, kFails, kOpen };
+
+Truth truth(Assignment& assignment, NodeId condition) {
+  const auto value = assignment.value(condition);
+  if (!value) return Truth::kOpen;
+  return value->i != 0 ? Truth::kHolds : Truth::kFails;
+}
+
+Truth truth(Assignment& assignment, const Clauses& clauses) {
+  Truth all = Truth::kHolds;
+  for (const auto& clause : clauses) {
+    Truth any = Truth::kFails;
+    for (const NodeId condition : clause) {
+      const Truth one = truth(assignment, condition);
+      if (one == Truth::kHolds || (one == Truth::kOpen && any == Truth::kFails)) any = one;
+    }
+    if (any == Truth::kFails) return any;
+    if (any == Truth::kOpen) all = any;
+  }
+  return all;
+}
+
+bool any_assignment(const Thicket& thicket, const Clauses& clauses, Truth wanted) {
+  bool found = false;
+  thicket.each_assignment([&](Assignment& each) { found = found || truth(each, clauses) == wanted; });
+  return found;
+}
+
+Clauses with(Clauses clauses, const std::vector<NodeId>& units) {
+  for (const NodeId unit : units) clauses.push_back({unit});
+  return clauses;
+}
+
+void check_model(const Thicket& thicket, Solver& solver, const Clauses& clauses) {
+  std::vector<std::int64_t> values;
+  for (std::size_t i = 0; i < thicket.graph.variables().size(); ++i) {
+    const ChoiceDomain& domain = thicket.graph.variables()[i].domain;
+    values.push_back(solver.value(i));
+    REQUIRE((domain.lo <= values[i] && values[i] <= domain.hi && (values[i] - domain.lo) % domain.step == 0));
+  }
+  Assignment model(thicket.graph, [&](std::size_t variable) { return values[variable]; });
+  REQUIRE(truth(model, clauses) != Truth::kFails);
+}
+
+TEST_CASE(
+    "cadical: checks between added clauses and assumptions of both signs agree with trying all values") {
+  const StopSignal never;
+  std::size_t satisfiable = 0, unsatisfiable = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Thicket thicket(seed, false, kFew);
+    const auto solver = make_cadical_solver(thicket.graph, {seed});
+    Clauses added;
+    for (int round = 0; round < 12; ++round) {
+      for (int i = 0; i < 15; ++i) thicket.grow();
+      if (round % 3 == 2) {
+        added.push_back(thicket.conditions(4));
+        solver->add_clause(added.back());
+      }
+      const std::vector<NodeId> assumed = thicket.conditions(4);
+      const Clauses all = with(added, assumed);
+      CAPTURE(seed);
+      CAPTURE(round);
+      if (solver->check(assumed, never) == Verdict::kSatisfiable) {
+        ++satisfiable;
+        check_model(thicket, *solver, all);
+      } else {
+        ++unsatisfiable;
+        REQUIRE(!any_assignment(thicket, all, Truth::kHolds));
+        const std::vector<NodeId> core = solver->core();
+        for (const NodeId each : core)
+          REQUIRE(std::find(assumed.begin(), assumed.end(), each) != assumed.end());
+        REQUIRE(!any_assignment(thicket, with(added, core), Truth::kHolds));
+      }
+    }
+  }
+  CHECK(satisfiable > 300);
+  CHECK(unsatisfiable > 300);
+}
+
+TEST_CASE("cadical: agrees with Z3 on random graphs") {
+  const StopSignal never;
+  std::size_t satisfiable = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Thicket thicket(seed, true,
+                    {{-100, 100, 1, {}}, {0, 255, 1, {}}, {1, 64, 1, {}}, {-7, 90, 7, {}}, {0, 1, 1, {}}});
+    for (int i = 0; i < 150; ++i) thicket.grow();
+    const auto cadical = make_cadical_solver(thicket.graph, {});
+    const auto z3 = make_z3_solver(thicket.graph, thicket.addresses, {});
+    for (int round = 0; round < 10; ++round) {
+      const std::vector<NodeId> clause = thicket.conditions(3);
+      const std::vector<NodeId> assumed = thicket.conditions(2);
+      cadical->add_clause(clause);
+      z3->add_clause(clause);
+      const Verdict verdict = cadical->check(assumed, never);
+      CAPTURE(seed);
+      CAPTURE(round);
+      satisfiable += verdict == Verdict::kSatisfiable ? 1 : 0;
+      REQUIRE(verdict == z3->check(assumed, never));
+    }
+  }
+  CHECK(satisfiable > 100);
+}
+
+/// A graph of ints to divide.
+struct Quotients {
+  Quotients(const ChoiceDomain& a, const ChoiceDomain& b)
+      : x(graph.choice({addresses.site(addresses.root(), "x"), a})),
+        y(graph.choice({addresses.site(addresses.root(), "y"), b})) {}
+  NodeId is(NodeId node, std::int64_t value) {
+    return graph.apply(Op::kEqInt, {node, graph.constant(value)});
+  }
+
+  Graph graph;
+  AddressTable addresses;
+  NodeId x, y;
+};
+
+TEST_CASE("cadical: a division by zero that does not matter rules nothing out") {
+  const StopSignal never;
+  for (const ChoiceDomain& a : {ChoiceDomain{0, 9, 1, {}}, {-9, 9, 1, {}}, {-9, -1, 1, {}}}) {
+    for (const ChoiceDomain& b : {ChoiceDomain{0, 3, 1, {}}, {-2, 2, 1, {}}, {-4, 0, 1, {}}}) {
+      Quotients q(a, b);
+      const auto solver = make_cadical_solver(q.graph, {});
+      const NodeId quotient = q.graph.apply(Op::kDiv, {q.x, q.y});
+      const NodeId rest = q.graph.apply(Op::kMod, {q.x, q.y});
+      const NodeId sum = q.graph.apply(Op::kAdd, {q.graph.apply(Op::kMul, {quotient, q.y}), rest});
+      const NodeId right[] = {q.is(q.y, 0), q.graph.apply(Op::kEqInt, {sum, q.x})};
+      solver->add_clause(right);
+      for (std::int64_t x = a.lo; x <= a.hi; ++x) {
+        for (std::int64_t y = b.lo; y <= b.hi; ++y) {
+          const NodeId here[] = {q.is(q.x, x), q.is(q.y, y)};
+          REQUIRE(solver->check(here, never) == Verdict::kSatisfiable);
+          REQUIRE((solver->value(0) == x && solver->value(1) == y));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("bits: operations on numbers of literals, at every width up to 5") {
+  for (std::size_t width = 1; width <= 5; ++width) {
+    const std::int64_t count = std::int64_t{1} << width;
+    Circuit circuit;
+    const auto value = [](const Bits& bits) {
+      std::int64_t sum = 0;
+      for (std::size_t i = 0; i < bits.size(); ++i) {
+        REQUIRE(is_constant(bits[i]));
+        if (bits[i] == kTrueLiteral) sum += std::int64_t{1} << i;
+      }
+      return sum;
+    };
+    for (std::int64_t x = 0; x < count; ++x) {
+      for (std::int64_t y = 0; y < count; ++y) {
+        const Bits a = constant_bits(x, width), b = constant_bits(y, width);
+        REQUIRE(value(add(circuit, a, b)) == (x + y) % count);
+        REQUIRE(value(subtract(circuit, a, b)) == (x - y + count) % count);
+        REQUIRE(value(multiply(circuit, a, b, false)) == x * y % count);
+        REQUIRE(value(multiply(circuit, a, b, true)) == x * y % count);
+        REQUIRE(value(multiply(circuit, a, y)) == x * y % count);
+        REQUIRE(value(multiply(circuit, a, -y)) == (count - x * y % count) % count);
+        REQUIRE(equal(circuit, a, b) == constant_literal(x == y));
+        REQUIRE(less(circuit, a, b, false) == constant_literal(x < y));
+        REQUIRE(less(circuit, a, b, true) == constant_literal(x <= y));
+        if (y == 0) continue;
+        const Division division = divide(circuit, a, b);
+        REQUIRE((value(division.quotient) == x / y && value(division.remainder) == x % y));
+      }
+    }
+  }
+}
+
+/// Keeps the clauses.
+struct Recorder : ClauseSink {
+  void clause(std::span<const int> literals) override {
+    clauses.emplace_back(literals.begin(), literals.end());
+    std::sort(clauses.back().begin(), clauses.back().end());
+  }
+  std::vector<std::vector<int>> take() { return std::exchange(clauses, {}); }
+  std::vector<std::vector<int>> clauses;
+};
+
+TEST_CASE("cnf: gates with one use need no variable, and of others only the direction in use is written") {
+  Circuit circuit;
+  Recorder recorder;
+  Cnf cnf(circuit, recorder);
+  std::array<Literal, 6> x;
+  for (Literal& each : x) {
+    each = circuit.input();
+    cnf.variable(each);  // 1 to 6
+  }
+  const auto require = [&](Literal literal) {
+    cnf.add_clause({&literal, 1});
+    auto clauses = recorder.take();
+    std::sort(clauses.begin(), clauses.end());
+    return clauses;
+  };
+  using Expected = std::vector<std::vector<int>>;
+  CHECK(require(circuit.disjunction(circuit.disjunction(x[0], !x[1]), x[2])) == Expected{{-2, 1, 3}});
+  CHECK(require(circuit.conjunction(circuit.conjunction(x[0], !x[1]), x[3])) == Expected{{-2}, {1}, {4}});
+  CHECK(require(circuit.disjunction(x[0], circuit.conjunction(x[2], x[4]))) == Expected{{1, 3}, {1, 5}});
+  CHECK(require(circuit.exclusive_or(x[4], x[5])) == Expected{{-6, -5}, {5, 6}});
+  CHECK(require(kTrueLiteral).empty());
+  CHECK(require(kFalseLiteral) == Expected{{}});
+
+  const Literal shared = circuit.majority(x[1], x[3], x[5]);
+  CHECK(cnf.assumable(shared) == 7);
+  CHECK(recorder.take().size() == 3);
+  CHECK(cnf.assumable(shared) == 7);
+  CHECK(recorder.take().empty());
+  CHECK(cnf.assumable(!shared) == -7);
+  CHECK(recorder.take().size() == 3);
+}
+
+TEST_CASE("circuit: equal gates are one, whatever the signs and the order of their operands") {
+  Circuit circuit;
+  const Literal a = circuit.input(), b = circuit.input(), c = circuit.input();
+  CHECK(circuit.conjunction(a, b) == circuit.conjunction(b, a));
+  CHECK(circuit.exclusive_or(!a, b) == circuit.exclusive_or(b, !a));
+  CHECK(circuit.exclusive_or(!a, b) == !circuit.exclusive_or(b, a));
+  CHECK(circuit.mux(!a, b, c) == circuit.mux(a, c, b));
+  CHECK(circuit.mux(a, !b, !c) == !circuit.mux(a, b, c));
+  CHECK(circuit.parity(a, b, c) == !circuit.parity(c, !a, b));
+  CHECK(circuit.majority(!a, !b, !c) == !circuit.majority(c, a, b));
+  CHECK(circuit.majority(a, b, !a) == b);
+  CHECK(circuit.parity(a, kTrueLiteral, b) == circuit.equivalence(a, b));
+}
+
+TEST_CASE("cadical: suggestions are followed where nothing is against them, also for choices met later") {
+  const StopSignal never;
+  Quotients q({-20, 20, 1, {}}, {0, 60, 4, {}});
+  const auto solver = make_cadical_solver(q.graph, {});
+  for (const std::int64_t value : {-20, -7, 0, 13, 20}) {
+    CHECK(solver->suggest(0, value));
+    CHECK(solver->suggest(1, 20 + 2 * value));
+    const NodeId somewhere[] = {q.graph.apply(Op::kLeInt, {q.x, q.graph.constant(std::int64_t{19})}),
+                                q.graph.apply(Op::kLeInt, {q.x, q.y})};
+    if (value >= 0) solver->add_clause(somewhere);
+    REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
+    if (value < 0) continue;  // no condition has met the choices yet
+    CHECK(solver->value(0) == value);
+    if (value % 2 == 0) CHECK(solver->value(1) == 20 + 2 * value);
+  }
+}
+
+/// More pigeons than holes: hard, and satisfiable as soon as the last pigeon need not be there.
+struct Pigeons {
+  explicit Pigeons(std::int64_t holes) {
+    for (std::int64_t i = 0; i <= holes; ++i) {
+      places.push_back(
+          graph.choice({addresses.site(addresses.root(), std::to_string(i)), {1, holes, 1, {}}}));
+    }
+    there = graph.choice({addresses.site(addresses.root(), "there"), {0, 1, 1, {}}});
+  }
+  NodeId last_is_there() { return graph.apply(Op::kEqInt, {there, graph.constant(std::int64_t{1})}); }
+  void fill(Solver& solver) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const NodeId same = graph.apply(Op::kEqInt, {places[i], places[j]});
+        const NodeId clause[] = {graph.negation(same), graph.negation(last_is_there())};
+        solver.add_clause({clause, i + 1 == places.size() ? 2U : 1U});
+      }
+    }
+  }
+
+  Graph graph;
+  AddressTable addresses;
+  std::vector<NodeId> places;
+  NodeId there;
+};
+
+TEST_CASE("cadical: a check that was stopped can be followed by others") {
+  Pigeons pigeons(12);
+  const auto solver = make_cadical_solver(pigeons.graph, {});
+  pigeons.fill(*solver);
+  const NodeId all[] = {pigeons.last_is_there()};
+  StopSignal soon;
+  const auto start = StopSignal::Clock::now();
+  soon.set_deadline(start + std::chrono::milliseconds(30));
+  REQUIRE(solver->check(all, soon) == Verdict::kStopped);
+  CHECK(StopSignal::Clock::now() - start < std::chrono::seconds(5));
+  const StopSignal never;
+  REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
+  CHECK(solver->value(13) == 0);
+  const NodeId none = pigeons.graph.negation(all[0]);
+  solver->add_clause({&none, 1});
+  REQUIRE(solver->check(all, never) == Verdict::kUnsatisfiable);
+  CHECK(solver->core() == std::vector<NodeId>{all[0]});
+}
+
+TEST_CASE("cadical: the same calls with the same seed give the same models") {
+  const StopSignal never;
+  const auto models = [&](std::uint64_t seed) {
+    Pigeons pigeons(9);
+    const auto solver = make_cadical_solver(pigeons.graph, {seed});
+    pigeons.fill(*solver);
+    std::vector<std::int64_t> values;
+    for (std::int64_t round = 0; round < 5; ++round) {
+      for (std::size_t i = 0; i < 9; ++i) {
+        solver->suggest(i, 1 + (round + static_cast<std::int64_t>(i * seed)) % 9);
+      }
+      REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
+      for (std::size_t i = 0; i < 9; ++i) values.push_back(solver->value(i));
+    }
+    return values;
+  };
+  CHECK(models(1) == models(1));
+  CHECK(models(1) != models(2));
+}
+
+TEST_CASE("cadical: graphs may be deeper than the machine's stack") {
+  Graph graph;
+  AddressTable addresses;
+  std::vector<NodeId> flips;
+  for (int i = 0; i < 50; ++i) {
+    const NodeId choice = graph.choice({addresses.site(addresses.root(), std::to_string(i)), {0, 1, 1, {}}});
+    flips.push_back(graph.apply(Op::kEqInt, {choice, graph.constant(std::int64_t{1})}));
+  }
+  NodeId deep = flips[0];
+  for (std::size_t i = 1; i < 100'000; ++i) {
+    const NodeId flip = flips[i % flips.size()];
+    deep = i % 3 == 0 ? graph.apply(Op::kIteBool, {flip, graph.negation(deep), flips[(7 * i) % flips.size()]})
+           : i % 3 == 1 ? graph.conjunction(deep, graph.negation(flip))
+                        : graph.disjunction(deep, flip);
+  }
+  const StopSignal never;
+  const auto solver = make_cadical_solver(graph, {});
+  solver->add_clause({&deep, 1});
+  REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
+  Assignment model(graph, [&](std::size_t variable) { return solver->value(variable); });
+  CHECK(model.holds(deep));
+}
+
+}  // namespace
+}  // namespace solitaire
