@@ -13,7 +13,10 @@
 namespace solitaire {
 namespace {
 
-constexpr const char* kEngine = "tracing/z3";
+const char* engine_name(Backend backend) {
+  return backend == Backend::kZ3 ? "tracing/z3" : "tracing/cadical";
+}
+
 /// How much of a solution's value the gallery shows.
 constexpr std::size_t kShownValue = 400;
 
@@ -76,7 +79,7 @@ class Output {
                                 {"program", std::filesystem::path(options_.script).filename().string()},
                                 {"params", nlohmann::ordered_json::object()},
                                 {"seed", options_.seed},
-                                {"engine", kEngine}};
+                                {"engine", engine_name(options_.backend)}};
     for (const auto& [param, value] : session_.params())
       file["params"][param] = nlohmann::ordered_json::parse(to_json(value));
     file.update(solution_json(solution, engine.addresses()));

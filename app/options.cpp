@@ -69,6 +69,13 @@ void add_search_options(CLI::App& command, Options& options) {
   auto* count =
       command.add_option("-n", options.count, fmt::format("how many solutions (default {})", options.count))
           ->check(CLI::PositiveNumber);
+  command
+      .add_option("--engine", options.backend,
+                  "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Backend>{{"auto", Backend::kCadical},
+                                                                         {"cadical", Backend::kCadical},
+                                                                         {"z3", Backend::kZ3}})
+                      .description("auto|cadical|z3"));
   command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
       ->excludes(count);
   command

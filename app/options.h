@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engines/explore.h"
+#include "engines/tracing.h"
 
 namespace solitaire {
 
@@ -36,6 +36,7 @@ struct Options {
   bool quiet = false;
   std::optional<double> timeout;  // seconds, for the whole run
   std::string explore = "demand";
+  Backend backend = Backend::kCadical;
   std::uint64_t max_steps = Limits{}.max_steps;
   std::uint32_t max_depth = Limits{}.max_depth;
   std::string format = "text";

@@ -58,7 +58,8 @@ TracingOptions Session::tracing_options() const {
   TracingOptions tracing;
   tracing.exploration = options_.exploration();
   tracing.seed = options_.seed;
-  tracing.random_phase = !options_.all;
+  tracing.backend = options_.backend;
+  tracing.diverse = !options_.all;
   tracing.limits.max_steps = options_.max_steps;
   tracing.limits.max_depth = options_.max_depth;
   tracing.limits.stop = &stop_signal();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "engines/random.h"
+#include "smt/cadical_solver.h"
 #include "smt/z3_solver.h"
 #include "tracegraph/assignment.h"
 
@@ -54,7 +55,9 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
       explorer_(program, params_, options.exploration, options.seed, options.limits, graph_, addresses_) {
   if (options_.limits.stop == nullptr) options_.limits.stop = &never_;
   const std::uint64_t solver_seed = RandomStream(options.seed, Purpose::kSolver, 0).next();
-  solver_ = make_z3_solver(graph_, addresses_, {solver_seed, options.random_phase});
+  solver_ = options.backend == Backend::kZ3
+                ? make_z3_solver(graph_, addresses_, {solver_seed, options.diverse})
+                : make_cadical_solver(graph_, {solver_seed});
 }
 
 TracingEngine::~TracingEngine() = default;
@@ -70,6 +73,7 @@ std::optional<Solution> TracingEngine::next() {
     explore();
     while (ending_ == Ending::kNone) {
       sync_solver();
+      if (options_.diverse) suggest_values();
       switch (check(assumptions(true))) {
         case Verdict::kSatisfiable:
           return take_solution();
@@ -110,6 +114,16 @@ void TracingEngine::sync_solver() {
     }
   }
   report_reachable_mistakes();
+}
+
+/// A solver that starts from random values of the choices ends at a solution near them, and not near the last
+/// one.
+void TracingEngine::suggest_values() {
+  RandomChoices random(RandomStream(options_.seed, Purpose::kSuggest, solutions_));
+  for (std::size_t i = 0; i < graph_.variables().size(); ++i) {
+    const ChoiceVariable& variable = graph_.variables()[i];
+    if (!solver_->suggest(i, *random.answer(variable.address, variable.domain))) return;
+  }
 }
 
 std::vector<NodeId> TracingEngine::assumptions(bool with_mistakes) {
@@ -202,6 +216,7 @@ Solution TracingEngine::take_solution() {
   }
   add_object_choices(solution);
   forbid(answers);
+  ++solutions_;
   return solution;
 }
 

@@ -8,11 +8,15 @@
 
 namespace solitaire {
 
+/// Which solver decides the formula.
+enum class Backend : std::uint8_t { kCadical, kZ3 };
+
 struct TracingOptions {
   Exploration exploration;
+  Backend backend = Backend::kCadical;
   std::uint64_t seed = 0;
-  bool random_phase = true;  // solutions that differ much, at some cost in speed
-  Limits limits;             // of one execution; its stop signal ends the engine
+  bool diverse = true;  // solutions that differ much, at some cost in speed
+  Limits limits;        // of one execution; its stop signal ends the engine
 };
 
 /// Where the time of a TracingEngine went, in seconds.
@@ -47,6 +51,7 @@ class TracingEngine : public Engine {
  private:
   void sync_solver();
   void report_reachable_mistakes();
+  void suggest_values();
   std::vector<NodeId> assumptions(bool with_mistakes);
   Verdict check(const std::vector<NodeId>& assumptions);
   bool open_core();
@@ -68,6 +73,7 @@ class TracingEngine : public Engine {
   StopSignal never_;
   TracingTimes times_;
   std::size_t synced_pass_ = 0;
+  std::uint64_t solutions_ = 0;
 };
 
 }  // namespace solitaire
