@@ -47,7 +47,7 @@ for group in groups {
     count += length(kind);
   }
 }
-assert(room.w + room.d <= 26 + 2 * count, "the room fits");
+assert(room.w + room.d <= 22 + 3 * count / 2, "the room fits");
 assert(room.w <= 2 * room.d and room.d <= 2 * room.w);
 
 show_room(room);
