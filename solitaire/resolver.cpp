@@ -489,9 +489,19 @@ class Resolver {
 
   const std::vector<Parameter>* record_fields(const Expr& callee) const {
     if (callee.kind != ExprKind::kName) return nullptr;
+    const auto& name = static_cast<const NameExpr&>(callee);
     for (Scope* scope = scope_; scope != nullptr; scope = scope->outer) {
-      const auto it = scope->records.find(static_cast<const NameExpr&>(callee).name);
+      const auto it = scope->records.find(name.name);
       if (it != scope->records.end()) return &it->second->fields;
+    }
+    return name.binding.kind == Binding::Kind::kModule ? imported_fields(name) : nullptr;
+  }
+
+  const std::vector<Parameter>* imported_fields(const NameExpr& name) const {
+    for (const StmtPtr& statement : program_.modules[name.binding.level].tree.top->body->statements) {
+      if (statement->kind != StmtKind::kRecord) continue;
+      const auto& record = static_cast<const RecordStmt&>(*statement);
+      if (record.name == name.name) return &record.fields;
     }
     return nullptr;
   }
