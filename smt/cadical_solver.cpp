@@ -73,7 +73,7 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   std::int64_t value(std::size_t variable) override {
     if (variable < model_.size()) return model_[variable];
-    return graph_.variables()[variable].domain.lo;  // nothing depends on it
+    return free_value(variable);
   }
 
   std::vector<NodeId> core() override { return core_; }
@@ -113,8 +113,13 @@ class CadicalSolver : public Solver, private ClauseSink {
     model_.resize(graph_.variables().size());
     for (std::size_t i = 0; i < model_.size(); ++i) {
       const std::span<const Literal> bits = blaster_.choice_bits(i);
-      model_[i] = bits.empty() ? graph_.variables()[i].domain.lo : blaster_.decode(i, value_of(bits));
+      model_[i] = bits.empty() ? free_value(i) : blaster_.decode(i, value_of(bits));
     }
+  }
+
+  /// Of a choice on which no condition depends, so that any of its values will do.
+  std::int64_t free_value(std::size_t variable) const {
+    return variable < suggestions_.size() ? suggestions_[variable] : graph_.variables()[variable].domain.lo;
   }
 
   std::uint64_t value_of(std::span<const Literal> bits) {
