@@ -175,7 +175,7 @@ void check_solutions(const PageProgram& shown, const Program& program, const Par
   stop.set_deadline(StopSignal::Clock::now() + kLongest);
   TracingOptions options;
   options.limits.stop = &stop;
-  options.random_phase = false;
+  options.diverse = false;
   TracingEngine engine(program, params, options);
 
   const bool wants_all = shown.expects("value") || shown.expects("solutions") || shown.expects("results");
