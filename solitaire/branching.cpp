@@ -207,7 +207,8 @@ NodeId Evaluator::apply(Op op, std::initializer_list<NodeId> operands, Span span
   } catch (const IntegerTooLarge& error) {
     beyond_engine(span,
                   fmt::format("this int can grow past 62 bits: it lies between {} and {}",
-                              std::max(error.bounds.lo, -kIntLimit), std::min(error.bounds.hi, kIntLimit)),
+                              is_exact(error.bounds.lo) ? fmt::to_string(error.bounds.lo) : "less than -2^62",
+                              is_exact(error.bounds.hi) ? fmt::to_string(error.bounds.hi) : "more than 2^62"),
                   "give the choices it is made of narrower ranges");
   } catch (const UndefinedOperation&) {
     mistake(span, "this has no value", "");

@@ -12,7 +12,9 @@ using Call = const BuiltinCall&;
 
 bool given(const Value& argument) { return !argument.is<Value::Unset>(); }
 Span argument_span(Call call, std::size_t number) {
-  return number < call.site.arguments.size() ? call.site.arguments[number].value->span : call.site.span;
+  const auto& arguments = call.site.arguments;
+  const bool by_position = number < arguments.size() && arguments[number].name.empty();
+  return by_position ? arguments[number].value->span : call.site.span;
 }
 
 // ---- choices
@@ -337,7 +339,7 @@ class PlaceReader {
       made.size = numbers("size", size, 2, 3);
       check_all(size, [&](const Value& extent) { check_extent(extent); });
     });
-    if (given(argument(3)) && given(argument(4))) fail("turn", "and angle: give one of them");
+    if (given(argument(3)) && given(argument(4))) fail("angle", "stands beside 'turn': give one of them");
     each(3, [&](const Value& turns) { made.turn = turn(turns); });
     each(4, [&](const Value& angle) { made.angle = number("angle", angle); });
     each(5, [&](const Value& value) { made.color = color(value); });
@@ -360,7 +362,15 @@ class PlaceReader {
   }
 
   [[noreturn]] void fail(const char* parameter, const std::string& why) {
-    evaluator_.mistake(call_.site.span, message(parameter, why));
+    evaluator_.mistake(span_of(parameter), fmt::format("place: '{}' {}", parameter, why));
+  }
+
+  Span span_of(std::string_view parameter) const {
+    for (const Argument& argument : call_.site.arguments) {
+      if (argument.name == parameter) return argument.value->span;
+    }
+    const bool is_asset = parameter == "asset" && !call_.site.arguments.empty();
+    return is_asset ? call_.site.arguments.front().value->span : call_.site.span;
   }
   static std::string message(const char* parameter, const std::string& why) {
     return fmt::format("place: '{}' {}", parameter, why);

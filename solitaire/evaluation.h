@@ -11,8 +11,9 @@
 #include "solitaire/path.h"
 #include "tracegraph/trace.h"
 
-// The one evaluator, seen from its parts: branching.cpp, calls.cpp, statements.cpp, iteration.cpp,
-// expressions.cpp, operators.cpp, elements.cpp and builtins.cpp. Users of the library include evaluator.h.
+// The one evaluator, seen from its parts: evaluator.cpp, branching.cpp, deciding.cpp, calls.cpp,
+// summaries.cpp, statements.cpp, iteration.cpp, expressions.cpp, operators.cpp, elements.cpp and
+// builtins.cpp. Users of the library include evaluator.h.
 
 namespace solitaire {
 

@@ -54,13 +54,18 @@ constexpr std::array kPunctuation = {
     Spelling{"/", TokenKind::kSlash},        Spelling{"%", TokenKind::kPercent},
 };
 
-/// What authors of other languages type, and what it is called here.
+/// What authors of other languages type, what it is called here, and what it is read as.
+struct Foreign {
+  std::string_view spelling;
+  std::string_view help;
+  TokenKind kind;
+};
 constexpr std::array kForeign = {
-    std::pair<std::string_view, std::string_view>{"&&", "write 'and'"},
-    std::pair<std::string_view, std::string_view>{"||", "write 'or'"},
-    std::pair<std::string_view, std::string_view>{"!", "write 'not'"},
-    std::pair<std::string_view, std::string_view>{"'", "strings stand in double quotes"},
-    std::pair<std::string_view, std::string_view>{"#", "comments start with //"},
+    Foreign{"&&", "write 'and'", TokenKind::kAnd},
+    Foreign{"||", "write 'or'", TokenKind::kOr},
+    Foreign{"!", "write 'not'", TokenKind::kNot},
+    Foreign{"'", "strings stand in double quotes", TokenKind::kString},
+    Foreign{"#", "comments start with //", TokenKind::kEnd},
 };
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -134,11 +139,11 @@ class Lexer {
   }
 
   void read_foreign() {
-    for (const auto& [spelling, help] : kForeign) {
+    for (const auto& [spelling, help, kind] : kForeign) {
       if (!starts_with(spelling)) continue;
       at_ += spelling.size();
       diagnostics_.add(span(), fmt::format("'{}' is not used in this language", spelling), std::string(help));
-      return;
+      return read_as(kind);
     }
     do ++at_;
     while ((static_cast<unsigned char>(peek()) & 0xC0U) == 0x80U);
@@ -146,6 +151,19 @@ class Lexer {
     const std::string shown = first < 0x20 || first == 0x7F ? fmt::format("\\x{:02x}", first)
                                                             : std::string(text_.substr(start_, at_ - start_));
     diagnostics_.add(span(), fmt::format("unexpected character '{}'", shown));
+  }
+
+  /// Reads on as what a foreign token stands for, so that nothing more is reported about it.
+  void read_as(TokenKind kind) {
+    if (kind == TokenKind::kEnd) {  // of the line: a comment
+      at_ = std::min(text_.find('\n', at_), text_.size());
+      return;
+    }
+    if (kind == TokenKind::kString) {
+      at_ = std::min(text_.find_first_of("'\n", at_), text_.size());
+      if (peek() == '\'') ++at_;
+    }
+    push(kind);
   }
 
   void read_name() {

@@ -261,7 +261,8 @@ class Parser {
     node->condition = expression();
     accept(TokenKind::kColon);
     if (!accept(TokenKind::kThen) && !at(TokenKind::kLeftBrace)) {
-      fail(fmt::format("expected 'then' or '{{' after the condition, found {}", describe(peek().kind)));
+      fail(fmt::format("expected 'then' or '{{' after the condition, found {}", describe(peek().kind)),
+           at(TokenKind::kAssign) ? "a comparison for equality is ==" : "");
     }
     node->then_body = statement();
     if (accept(TokenKind::kElse)) {
@@ -283,7 +284,8 @@ class Parser {
 
   StmtPtr loop_body() {
     if (!accept(TokenKind::kColon) && !at(TokenKind::kLeftBrace)) {
-      fail(fmt::format("expected ':' or '{{' before the loop's body, found {}", describe(peek().kind)));
+      fail(fmt::format("expected ':' or '{{' before the loop's body, found {}", describe(peek().kind)),
+           at(TokenKind::kAssign) ? "a comparison for equality is ==" : "");
     }
     return statement();
   }
