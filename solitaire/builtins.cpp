@@ -362,7 +362,7 @@ class PlaceReader {
   }
 
   [[noreturn]] void fail(const char* parameter, const std::string& why) {
-    evaluator_.mistake(span_of(parameter), fmt::format("place: '{}' {}", parameter, why));
+    evaluator_.mistake(span_of(parameter), message(parameter, why));
   }
 
   Span span_of(std::string_view parameter) const {
@@ -372,6 +372,7 @@ class PlaceReader {
     const bool is_asset = parameter == "asset" && !call_.site.arguments.empty();
     return is_asset ? call_.site.arguments.front().value->span : call_.site.span;
   }
+
   static std::string message(const char* parameter, const std::string& why) {
     return fmt::format("place: '{}' {}", parameter, why);
   }
@@ -410,12 +411,12 @@ class PlaceReader {
 
   void check_extent(const Value& extent) {
     const Value wrong = evaluator_.compare(BinaryOp::kLessEqual, extent, std::int64_t{0}, call_.site.span);
-    evaluator_.mistake_if(wrong, call_.site.span,
+    evaluator_.mistake_if(wrong, span_of("size"),
                           message("size", "is made of positive numbers, not " + to_text(extent)));
   }
 
   void check_color_part(const Value& part) {
-    const Span span = call_.site.span;
+    const Span span = span_of("color");
     const Value wrong =
         evaluator_.either(evaluator_.compare(BinaryOp::kLess, part, std::int64_t{0}, span),
                           evaluator_.compare(BinaryOp::kGreater, part, std::int64_t{1}, span));
