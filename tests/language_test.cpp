@@ -104,7 +104,7 @@ void check_solutions(const std::vector<Found>& found, const Expectation& expecte
 void check_script(const fs::path& script) {
   const Expectation expected = read_expectation(read_source(script));
   if (!expected.errors.empty()) {
-    for (const Way way : {Way::kDemand, Way::kExhaustive}) check_errors(script, expected, way);
+    for (const Way way : {Way::kDemand, Way::kZ3, Way::kExhaustive}) check_errors(script, expected, way);
     return;
   }
   SourceSet sources;
@@ -112,6 +112,7 @@ void check_script(const fs::path& script) {
   const ParamValues params = read_params(program, expected.settings, program.sources);
   const std::vector<Found> found = all_solutions(program, params, Way::kDemand);
   check_solutions(found, expected);
+  CHECK(all_solutions(program, params, Way::kZ3) == found);
   if (!expected.only_solver) CHECK(all_solutions(program, params, Way::kExhaustive) == found);
   const std::vector<Found> some = all_solutions(program, params, Way::kRandom);
   CHECK(std::includes(found.begin(), found.end(), some.begin(), some.end()));

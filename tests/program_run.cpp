@@ -32,11 +32,12 @@ std::vector<Found> all_solutions(const Program& program, const ParamValues& para
     return found;
   }
   TracingOptions options;
-  options.random_phase = false;
+  options.diverse = false;
+  if (way == Way::kZ3) options.backend = Backend::kZ3;
   if (way == Way::kRandom) options.exploration = {Exploration::Policy::kRandom, 40};
   TracingEngine engine(program, params, options);
   auto found = all_solutions(engine);
-  if (way == Way::kDemand) CHECK(engine.ending() == Ending::kExhausted);
+  if (way != Way::kRandom) CHECK(engine.ending() == Ending::kExhausted);
   return found;
 }
 

@@ -26,7 +26,8 @@ struct Found {
 /// All solutions that an engine has, sorted.
 std::vector<Found> all_solutions(Engine& engine);
 
-enum class Way { kDemand, kRandom, kExhaustive };
+/// Exploring on demand with CaDiCaL or Z3, exploring at random, or running every execution.
+enum class Way { kDemand, kZ3, kRandom, kExhaustive };
 
 /// All solutions of a program by one of the engines, sorted. kRandom explores a number of random executions,
 /// and may therefore miss some. Throws ProgramError.
