@@ -22,6 +22,13 @@ std::string check_exploration(const std::string& text) {
       "'{}' is no way to explore: there are demand and random:N, N a number of executions from 1", text);
 }
 
+std::string check_count(const std::string& text) {
+  const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+  return digits && text.find_first_not_of('0') != std::string::npos
+             ? ""
+             : fmt::format("'{}' is not a whole number from 1", text);
+}
+
 std::string check_setting(const std::string& text) {
   const std::size_t sign = text.find('=');
   return sign == std::string::npos || sign == 0 ? fmt::format("'{}' is not of the form NAME=VALUE", text)
@@ -55,11 +62,11 @@ void add_program_options(CLI::App& command, Options& options) {
   command
       .add_option("--max-steps", options.max_steps,
                   "steps after which one execution counts as endless (default 10000000)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(check_count, "N"));
   command
       .add_option("--max-depth", options.max_depth,
                   "calls within each other after which a recursion counts as endless (default 10000)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(check_count, "N"));
   command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("-q,--quiet", options.quiet, "no progress and no summary");
@@ -68,7 +75,7 @@ void add_program_options(CLI::App& command, Options& options) {
 void add_search_options(CLI::App& command, Options& options) {
   auto* count =
       command.add_option("-n", options.count, fmt::format("how many solutions (default {})", options.count))
-          ->check(CLI::PositiveNumber);
+          ->check(CLI::Validator(check_count, "N"));
   command
       .add_option("--engine", options.backend,
                   "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
