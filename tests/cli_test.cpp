@@ -1,0 +1,339 @@
+// The command line as a user has it: the built program, its exit status, its output and its files.
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <doctest/doctest.h>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+#include <thread>
+#include <unistd.h>
+#include <z3++.h>
+
+#include "tests/command.h"
+
+namespace solitaire {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kPairs = "x = range(0, 3);\ny = range(0, 3);\nassert(x + y == 3);\nreturn [x, y];\n";
+constexpr const char* kNone = "x = range(0, 3);\nassert(x > 5);\n";
+constexpr const char* kScene =
+    "x = range(0, 50);\ny = range(0, 50);\nassert(x + y > 20);\n"
+    "place(\"chair\", at: [x, y], size: [1, 1]);\nreturn [x, y];\n";
+constexpr const char* kWrong = "x = 1 + \"a\";\n";
+/// Has a few solutions that are found at once and no further one that could be found in time.
+constexpr const char* kHard =
+    "n = range(0, 2000000000);\nm = range(0, 2000000000);\n"
+    "if n > 1 { assert(m > 1 and n <= m and n * m == 1000000016000000063 and n != 1000000007); }\n"
+    "else { assert(m < 3); }\nplace(\"chair\", at: [n, m], size: [1, 1]);\n";
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST_CASE("cli: the exit status says whether what was asked for was delivered") {
+  const Workplace place;
+  const std::string pairs = place.file("pairs.sol", kPairs);
+  const std::string none = place.file("none.sol", kNone);
+  const std::string wrong = place.file("wrong.sol", kWrong);
+  CHECK(run_solitaire({"solve", pairs}).status == 0);
+  CHECK(run_solitaire({"solve", pairs, "-n", "4"}).status == 0);
+  CHECK(run_solitaire({"solve", pairs, "-n", "5"}).status == 1);
+  CHECK(run_solitaire({"solve", pairs, "--all"}).status == 0);
+  CHECK(run_solitaire({"solve", none}).status == 1);
+  CHECK(run_solitaire({"solve", none, "--all"}).status == 1);
+  CHECK(run_solitaire({"solve", wrong}).status == 3);
+  CHECK(run_solitaire({"check", wrong}).status == 3);
+  CHECK(run_solitaire({"check", pairs}).status == 0);
+  CHECK(run_solitaire({"check", none}).status == 0);
+  CHECK(run_solitaire({"generate", none, "-o", place / "none"}).status == 1);
+  CHECK(run_solitaire({"--help"}).status == 0);
+  CHECK(run_solitaire({"--version"}).status == 0);
+  CHECK(run_solitaire({"solve", "--help"}).status == 0);
+}
+
+TEST_CASE("cli: wrong usage is status 2, said on standard error") {
+  const Workplace place;
+  const std::string pairs = place.file("pairs.sol", kPairs);
+  const std::string with_param = place.file("param.sol", "param n = 3;\nreturn n;\n");
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"frobnicate", pairs},
+      {"solve"},
+      {"solve", pairs, "-n", "0"},
+      {"solve", pairs, "-n", "many"},
+      {"solve", pairs, "-n", "1", "--all"},
+      {"solve", pairs, "--explore", "random"},
+      {"solve", pairs, "--explore", "random:0"},
+      {"solve", pairs, "--distinct", "colour"},
+      {"solve", pairs, "--timeout", "-1"},
+      {"solve", pairs, "--max-steps", "0"},
+      {"solve", pairs, "--set", "n"},
+      {"solve", pairs, "--set", "n=1"},
+      {"solve", with_param, "--set", "m=1"},
+      {"solve", with_param, "--set", "n=true"},
+      {"trace", pairs, "--format", "png"},
+      {"solve", pairs, pairs},
+  };
+  for (const auto& arguments : wrong) {
+    const Outcome outcome = run_solitaire(arguments);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out == "");
+    CHECK(outcome.err != "");
+  }
+}
+
+TEST_CASE("cli: --json prints solutions to standard output and nothing else, whatever the program prints") {
+  const Workplace place;
+  const std::string script = place.file("print.sol",
+                                        "record P(a, b);\nx = range(1, 3);\nf = flip();\nprint(\"x\", x);\n"
+                                        "return [P(x, nil), 0.5, \"\\\"\", f];\n");
+  const Outcome outcome = run_solitaire({"solve", script, "--all", "--json"});
+  CHECK(outcome.status == 0);
+  CHECK(lines_in(outcome.out) == 6);
+  std::istringstream lines(outcome.out);
+  std::size_t index = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json solution = json::parse(line);
+    CHECK(solution["index"] == ++index);
+    CHECK(solution["value"][0]["a"] == solution["choices"][0]["value"]);
+    CHECK(solution["value"][0]["b"] == nullptr);
+    CHECK(solution["value"][3] == solution["choices"][1]["value"]);
+    CHECK(solution["choices"][0]["at"] == "x");
+    CHECK(solution["choices"][1]["value"].is_boolean());
+  }
+  CHECK(has(outcome.err, "x 3\n"));
+  CHECK(has(outcome.err, "proved that there is no other"));
+}
+
+TEST_CASE("cli: the text of a solution shows its value and its choices") {
+  const Workplace place;
+  const std::string script =
+      place.file("text.sol", "fun f() { a = range(4, 4); return a; }\nreturn [f(), flip() or true];\n");
+  const Outcome outcome = run_solitaire({"solve", script, "--distinct", "result", "--all"});
+  CHECK(std::regex_match(outcome.out,
+                         std::regex("solution 1: \\[4, true\\]\n  f/a = 4\n  flip = (true|false)\n")));
+  CHECK(has(outcome.err, "1 solution in "));
+  CHECK(has(outcome.err, "not counting 1 that look like others"));
+  CHECK(run_solitaire({"solve", script, "-q"}).err == "");
+}
+
+TEST_CASE("cli: params are set on the command line") {
+  const Workplace place;
+  const std::string script =
+      place.file("param.sol", "param n = 3;\nparam name = \"x\";\nreturn [n, name];\n");
+  const Outcome outcome =
+      run_solitaire({"solve", script, "--json", "--set", "n=-4", "--set", "name=two words=2"});
+  CHECK(outcome.out == "{\"index\":1,\"value\":[-4,\"two words=2\"],\"choices\":[]}\n");
+  const Outcome wrong = run_solitaire({"solve", script, "--set", "m=4"});
+  CHECK(has(wrong.err, "the program has no param 'm'"));
+}
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+  }
+  return files;
+}
+
+TEST_CASE("cli: generate writes the same bytes for the same seed, and other scenes for another") {
+  const Workplace place;
+  const std::string script = place.file("scene.sol", kScene);
+  const auto generate = [&](const std::string& seed, const std::string& folder) {
+    const Outcome outcome =
+        run_solitaire({"generate", script, "-n", "3", "--seed", seed, "-o", place / folder});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == "");
+    return files_in(place / folder);
+  };
+  const auto first = generate("7", "a");
+  CHECK(first.size() == 7);
+  CHECK(first.count("scene-0003.glb") == 1);
+  CHECK(first.count("scene-0003.json") == 1);
+  CHECK(first.count("index.html") == 1);
+  CHECK(first == generate("7", "b"));
+  CHECK(first.at("scene-0001.json") != generate("8", "c").at("scene-0001.json"));
+  const json solution = json::parse(first.at("scene-0002.json"));
+  CHECK(solution["index"] == 2);
+  CHECK(solution["seed"] == 7);
+  CHECK(solution["choices"].size() == 2);
+  CHECK(solution["value"].size() == 2);
+}
+
+TEST_CASE("cli: solve prints the same for the same seed, by every way to explore and every solver") {
+  const Workplace place;
+  const std::string script = place.file("scene.sol", kScene);
+  for (const auto& options :
+       std::vector<std::vector<std::string>>{{}, {"--explore", "random:20"}, {"--engine", "z3"}}) {
+    std::vector<std::string> arguments = {"solve", script, "-n", "5", "--json", "-q", "--seed", "3"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome first = run_solitaire(arguments);
+    CHECK(first.status == 0);
+    CHECK(first.out == run_solitaire(arguments).out);
+    CHECK(lines_in(first.out) == 5);
+  }
+}
+
+TEST_CASE("cli: random exploration says that it did not look everywhere") {
+  const Workplace place;
+  const std::string script =
+      place.file("rare.sol", "x = range(0, 100000);\nif x == 77 { return \"rare\"; }\nassert(false);\n");
+  const Outcome outcome = run_solitaire({"solve", script, "--explore", "random:3"});
+  CHECK(outcome.status == 4);
+  CHECK(has(outcome.err, "the paths that were explored"));
+  CHECK(run_solitaire({"solve", script}).status == 0);
+}
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST_CASE("cli: --timeout ends in time with status 4 and keeps what was found") {
+  const Workplace place;
+  const std::string script = place.file("hard.sol", kHard);
+  const double seconds = seconds_of([&] {
+    const Outcome outcome =
+        run_solitaire({"generate", script, "-n", "20", "--timeout", "1.5", "-o", place / "out"});
+    CHECK(outcome.status == 4);
+    CHECK(has(outcome.err, "6 solutions"));
+    CHECK(has(outcome.err, "the time limit came first"));
+  });
+  CHECK(seconds < 5);
+  CHECK(fs::exists(place / "out/hard-0006.glb"));
+  CHECK(fs::exists(place / "out/index.html"));
+  CHECK(run_solitaire({"solve", script, "--timeout", "0"}).status == 4);
+}
+
+TEST_CASE("cli: an interrupt ends a search with status 4 and keeps what was found") {
+  const Workplace place;
+  const std::string script = place.file("hard.sol", kHard);
+  Command command(solitaire_with({"generate", script, "-n", "20", "-o", place / "out", "--json"}));
+  for (int i = 0; i < 200 && lines_in(command.output()) < 6; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  command.signal(SIGINT);
+  Outcome outcome;
+  CHECK(seconds_of([&] { outcome = command.wait(); }) < 5);
+  CHECK(outcome.status == 4);
+  CHECK(lines_in(outcome.out) == 6);
+  CHECK(has(outcome.err, "interrupted"));
+  CHECK(fs::exists(place / "out/hard-0006.json"));
+  CHECK(fs::exists(place / "out/index.html"));
+}
+
+TEST_CASE("cli: a program that runs forever is an error with its place, by limits that can be set") {
+  const Workplace place;
+  const std::string loop = place.file("loop.sol", "x = range(0, 1);\nwhile x < 2 { y = x; }\n");
+  const Outcome outcome = run_solitaire({"solve", loop, "--max-steps", "5000"});
+  CHECK(outcome.status == 3);
+  CHECK(has(outcome.err, "loop.sol:2:13: error: this runs for more than 5000 steps"));
+  const std::string recursion = place.file("recursion.sol", "fun f(n) { return f(n + 1); }\nf(0);\n");
+  const Outcome deep = run_solitaire({"check", recursion, "--max-depth", "100"});
+  CHECK(deep.status == 3);
+  CHECK(has(deep.err, "calls nest more than 100 deep"));
+  const Outcome usual = run_solitaire({"check", recursion});
+  CHECK(usual.status == 3);
+  CHECK(has(usual.err, "calls nest more than 10000 deep"));
+}
+
+TEST_CASE("cli: files that cannot be read or written are said by name") {
+  const Workplace place;
+  const std::string scene = place.file("scene.sol", kScene);
+  const Outcome missing = run_solitaire({"solve", place / "none.sol"});
+  CHECK(missing.status == 3);
+  CHECK(has(missing.err, "none.sol"));
+  const Outcome folder = run_solitaire({"solve", place.path()});
+  CHECK(folder.status == 3);
+  CHECK(has(folder.err, place.path()));
+  if (geteuid() != 0) {  // root may read everything
+    const std::string secret = place.file("secret.sol", kPairs);
+    fs::permissions(secret, fs::perms::none);
+    CHECK(run_solitaire({"solve", secret}).status == 3);
+  }
+  const std::string in_the_way = place.file("taken", "a file");
+  for (const std::string& output : {in_the_way, in_the_way + "/below"}) {
+    const Outcome blocked = run_solitaire({"generate", scene, "-o", output});
+    CHECK(blocked.status == 3);
+    CHECK(has(blocked.err, "taken"));
+    CHECK(bytes_of(in_the_way) == "a file");
+  }
+  fs::create_directories(place / "out/scene-0001.glb/full");
+  const Outcome scene_blocked = run_solitaire({"generate", scene, "-o", place / "out"});
+  CHECK(scene_blocked.status == 3);
+  CHECK(has(scene_blocked.err, "scene-0001.glb"));
+  const std::string asset = place.file("asset.sol", "place(\"gone.glb\", at: [0, 0]);\n");
+  const Outcome no_asset = run_solitaire({"generate", asset, "-o", place / "assets"});
+  CHECK(no_asset.status == 3);
+  CHECK(has(no_asset.err, "gone.glb"));
+}
+
+TEST_CASE("cli: output that nobody reads ends the program, not silently in success") {
+  const Workplace place;
+  const std::string script = place.file("many.sol", "return range(0, 30000);\n");
+  Command command(solitaire_with({"solve", script, "-n", "2000", "--json"}), true);
+  CHECK(command.wait().status != 0);
+}
+
+TEST_CASE("cli: the trace as text, for Graphviz and for solvers") {
+  const Workplace place;
+  const std::string script =
+      place.file("example.sol", bytes_of(fs::path(SOLITAIRE_SOURCE_DIR) / "tests/programs/example.sol"));
+  const Outcome text = run_solitaire({"trace", script});
+  CHECK(text.status == 0);
+  CHECK(has(text.out, "range(0, 4)"));
+  CHECK(has(text.out, "assert"));
+  const Outcome dot = run_solitaire({"trace", script, "--format", "dot"});
+  CHECK(dot.status == 0);
+  CHECK(dot.out.rfind("digraph", 0) == 0);
+  if (run({"dot", "-V"}).status == 0) {
+    CHECK(run({"dot", "-Tplain", "-o", place / "plain", place.file("graph.dot", dot.out)}).status == 0);
+  }
+  for (const auto& [name, satisfiable] :
+       {std::pair(script, true),
+        {place.file("none.sol", "x = range(0, 3);\nassert(x * x == 2);\n"), false}}) {
+    const Outcome smt2 = run_solitaire({"trace", name, "--format", "smt2"});
+    CHECK(smt2.status == 0);
+    z3::context context;
+    z3::solver solver(context);
+    solver.from_string(smt2.out.c_str());
+    CHECK(solver.check() == (satisfiable ? z3::sat : z3::unsat));
+  }
+}
+
+TEST_CASE("cli: a program's mistakes are shown with their line and a caret, all of them") {
+  const Workplace place;
+  const std::string script = place.file("wrong.sol", "x = widht;\ny = hight;\n");
+  const Outcome outcome = run_solitaire({"solve", script});
+  CHECK(outcome.status == 3);
+  CHECK(outcome.out == "");
+  CHECK(has(outcome.err,
+            "wrong.sol:1:5: error: there is no 'widht' here\n  1 | x = widht;\n    |     ^^^^^\n"));
+  CHECK(has(outcome.err, "wrong.sol:2:5: error: there is no 'hight' here"));
+  CHECK(has(outcome.err, "2 errors\n"));
+}
+
+TEST_CASE("cli: a script is found, and its imports and assets, from any folder") {
+  const Workplace place;
+  fs::create_directory(place / "sub");
+  place.file("sub/part.sol", "part = 5;\n");
+  const std::string script =
+      place.file("sub/main.sol", "import \"part.sol\";\nimport \"std/layout.sol\";\nreturn part;\n");
+  CHECK(run({"sh", "-c", "cd / && \"$0\" solve \"$1\" -q", SOLITAIRE_PROGRAM, script}).out ==
+        "solution 1: 5\n");
+  CHECK(run({"sh", "-c", "cd \"$1/sub\" && \"$0\" solve main.sol -q", SOLITAIRE_PROGRAM, place.path()}).out ==
+        "solution 1: 5\n");
+}
+
+}  // namespace
+}  // namespace solitaire
