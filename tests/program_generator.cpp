@@ -51,6 +51,7 @@ struct Declared {
   std::vector<std::pair<std::string, Kind>> parameters;
   std::size_t required = 0;
   Kind result = Kind::kInt;
+  std::string reads = {};  // a variable around it
 };
 
 class Generator {
@@ -65,6 +66,7 @@ class Generator {
     assign_new(Kind::kList);
     const int count = 3 + static_cast<int>(bytes_.below(9));
     for (int i = 0; i < count; ++i) one_in(5) ? declare_function() : statement();
+    line(format("assert(({}) % 4 != 2);", digest()));
     line(format("return {};", everything()));
     return std::move(text_);
   }
@@ -88,7 +90,7 @@ class Generator {
 
   bool one_in(std::uint32_t n) { return bytes_.below(n) == n - 1; }
   template <class T>
-  const T& any_of(const std::vector<T>& items) {
+  T any_of(const std::vector<T>& items) {
     return items[bytes_.below(static_cast<std::uint32_t>(items.size()))];
   }
   int number(int lo, int hi) {
@@ -143,6 +145,40 @@ class Generator {
     }
     for (const Mixed& mixed : mixed_) names.push_back(mixed.name);
     return format("[{}]", fmt::join(names, ", "));
+  }
+
+  /// An int that depends on all variables. What a program returns comes from replays, so that a wrong value
+  /// in the trace graph only shows where an assert looks at it.
+  std::string digest() const {
+    std::string sum = "0";
+    int factor = 1;
+    for (const Variable& variable : variables_) {
+      if (variable.level != level_) continue;
+      const std::string part = digest_of(variable);
+      if (!part.empty()) sum += format(" + {} * {}", factor++, part);
+    }
+    for (const Mixed& mixed : mixed_) sum += format(" + (if {} == [1, 2] then 1 else 0)", mixed.name);
+    return sum;
+  }
+
+  static std::string digest_of(const Variable& variable) {
+    const std::string& name = variable.name;
+    switch (variable.kind) {
+      case Kind::kInt:
+        return name;
+      case Kind::kBool:
+        return format("(if {} then 1 else 0)", name);
+      case Kind::kList:
+        return format("(sum({}) + length({}))", name, name);
+      case Kind::kNested:
+        return format("sum([sum(u) + 1 for u in {}])", name);
+      case Kind::kPairs:
+        return format("length({})", name);
+      case Kind::kRecord:
+        return format("({}.a + {}.c + sum({}.b))", name, name, name);
+      default:
+        return "";
+    }
   }
 
   // ---- expressions
@@ -449,7 +485,7 @@ class Generator {
 
   void declare_function() {
     if (level_ > 1 || block_ > 1) return simple_statement();
-    Declared made{fresh("f"), {}, 0, one_in(3) ? Kind::kList : Kind::kInt};
+    Declared made{fresh("f"), {}, 0, one_in(3) ? Kind::kList : Kind::kInt, ""};
     const std::size_t before = variables_.size();
     const auto mixed_before = mixed_;
     const auto functions_before = functions_;
@@ -485,17 +521,40 @@ class Generator {
   }
 
   /// Of a recursive function the first argument gets smaller at each turn, and is small from the second on.
-  void function_body(const Declared& made) {
+  void function_body(Declared& made) {
     const std::string& first = made.parameters.front().first;
     const bool recursive = one_in(3);
     if (recursive) {
       line(format("if {} {} {} {{ return {}; }}", first, one_in(2) ? "<=" : "<", number(0, 1),
                   expression(made.result, 1)));
     }
+    read_outer(made);
     for (int i = number(0, 3); i > 0; --i) statement();
     const std::string value = expression(made.result, recursive ? 1 : 0);
     if (!recursive) return line(format("return {};", value));
     line(format("return {} + {};", value, call_of(made, 2, format("min({}, 3) - 1", first))));
+  }
+
+  /// What the function does depends on a variable around it, which sites of its calls change.
+  void read_outer(Declared& made) {
+    std::vector<std::string> outer;
+    for (const Variable& variable : variables_) {
+      if (variable.kind == Kind::kInt && variable.level < level_) outer.push_back(variable.name);
+    }
+    if (outer.empty() || one_in(3)) return;
+    const std::string& first = made.parameters.front().first;
+    const std::string other = made.reads = any_of(outer);
+    if (one_in(2))
+      line(format("if {} < {} {{ return {}; }}", first, number(0, 2), expression(made.result, 1)));
+    if (one_in(3))
+      line(format("if {} == {} {{ assert({}); }}", first, other, one_in(2) ? "false" : boolean(2)));
+    const std::string way = any_of<std::string>({"<", ">=", "==", "!="});
+    if (one_in(3)) line(format("assert({} {} {} or {});", first, way, other, boolean(2)));
+    if (one_in(2))
+      line(format("if {} {} {} {{ return {}; }}", first, way, other, expression(made.result, 1)));
+    const std::string name = fresh("v");
+    line(format("{} = {} - {};", name, other, first));
+    declare(name, Kind::kInt);
   }
 
   // ---- values of several shapes
@@ -699,25 +758,38 @@ class Generator {
   void same_calls() {
     if (functions_.empty()) return level_ == 0 && block_ == 0 ? declare_function() : if_statement();
     const Declared callee = any_of(functions_);
-    const auto ints = visible(Kind::kInt, true);
     const std::string name = fresh("v");
-    const std::string first = call_of(callee, 1);
-    const std::string second = one_in(2) ? call_of(callee, 1) : first;
-    open(format("if {}", boolean(1)));
-    ++block_;
-    if (!ints.empty() && one_in(2)) line(format("{} = {};", any_of(ints).name, integer(2)));
-    line(format("{} = {};", name, first));
-    --block_;
+    const std::string known = variable_or(Kind::kInt, [] { return "1"; });
+    const std::string first = call_of(callee, 2, one_in(3) ? literal() : known);
+    const std::string second = one_in(3) ? call_of(callee, 1) : first;
+    open(format("if {}", one_in(2) ? format("{} < {}", known, number(0, 2)) : boolean(1)));
+    exclusive_call(callee, name, first);
     line("} else {");
-    ++block_;
-    if (one_in(3))
-      line(format("if {} {{ {} = {}; }} else {{ {} = {}; }}", boolean(2), name, second, name, first));
-    else
-      line(format("{} = {};", name, second));
-    if (one_in(3)) assign_again();
-    --block_;
+    if (one_in(3)) {
+      ++block_;
+      open(format("if {}", boolean(2)));
+      exclusive_call(callee, name, second);
+      line("} else {");
+      exclusive_call(callee, name, first);
+      close();
+      --block_;
+    } else {
+      exclusive_call(callee, name, second);
+    }
     close();
     declare(name, callee.result);
+    if (one_in(2)) line(format("assert({} % 3 != 1);", digest_of(variables_.back())));
+  }
+
+  void exclusive_call(const Declared& callee, const std::string& name, const std::string& call) {
+    ++block_;
+    const auto ints = visible(Kind::kInt, true);
+    for (const Variable& variable : ints) {
+      if (variable.name == callee.reads && one_in(2)) line(format("{} = {};", variable.name, integer(1)));
+    }
+    if (!ints.empty() && one_in(4)) line(format("{} = {};", any_of(ints).name, integer(2)));
+    line(format("{} = {};", name, call));
+    --block_;
   }
 
   void for_statement() {
