@@ -229,8 +229,9 @@ void Evaluator::step(Span span, std::uint64_t count) {
     throw Interrupted{};
   }
   if (path_.steps > limits_.max_steps) {
-    mistake(span, fmt::format("this runs for more than {} steps", limits_.max_steps),
-            "does a loop never end? --max-steps sets the limit");
+    // Where paths join, a pass goes on with the most steps of any: more than an execution may come to.
+    beyond_engine(span, fmt::format("this runs for more than {} steps", limits_.max_steps),
+                  "does a loop never end? --max-steps sets the limit");
   }
   if (!path_.guarded()) return;
   path_.guarded_steps += count;

@@ -54,8 +54,11 @@ TEST_CASE("differential: generated programs have brute force's solutions, part 3
 TEST_CASE("differential: programs that once went wrong have brute force's solutions") {
   const std::filesystem::path folder = SOLITAIRE_SOURCE_DIR "/tests/differential";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    CAPTURE(entry.path().filename().string());
+    const std::string name = entry.path().filename().string();
+    CAPTURE(name);
     const Comparison result = compare_engines(read_file(entry.path()), 1);
-    CHECK_MESSAGE(result.outcome == Comparison::Outcome::kEqual, result.report);
+    const bool refused = name.rfind("refused_", 0) == 0;  // too much for the engine, which has to say so
+    CHECK_MESSAGE(result.outcome == (refused ? Comparison::Outcome::kSkipped : Comparison::Outcome::kEqual),
+                  result.report);
   }
 }
