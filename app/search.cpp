@@ -5,6 +5,25 @@
 #include "app/progress.h"
 
 namespace solitaire {
+namespace {
+
+std::string reason(Requirement requirement) {
+  switch (requirement) {
+    case Requirement::kAssert:
+      return "the assert fails";
+    case Requirement::kRange:
+      return "the choice has no value within its range";
+    case Requirement::kNotEmpty:
+      return "there is nothing to choose from";
+    case Requirement::kIndex:
+      return "the list has no such element";
+    case Requirement::kDivisor:
+      return "the divisor is zero";
+  }
+  return "";
+}
+
+}  // namespace
 
 Search::Search(const Session& session, const Options& options)
     : session_(session),
@@ -52,6 +71,17 @@ ExitStatus Search::status() const {
   return kError;
 }
 
+/// Where every execution ends, if there is such a place: then it alone is why there is no solution.
+void Search::explain_dead_end() const {
+  for (const TraceAssert& required : engine_.pass().trace.asserts) {
+    if (required.guard != kTrue || required.condition != kFalse) continue;
+    const std::string what = required.message.empty() ? reason(required.requirement) : required.message;
+    const Diagnostic place{required.span, "every execution is ruled out here: " + what, "", {}};
+    fmt::print(stderr, "{}", format(place, session_.program().sources, "note"));
+    return;
+  }
+}
+
 void Search::summarize() const {
   const double seconds = std::chrono::duration<double>(StopSignal::Clock::now() - start_).count();
   std::string text =
@@ -73,6 +103,7 @@ void Search::summarize() const {
       break;
   }
   fmt::print(stderr, "{}\n", text);
+  if (engine_.ending() == Ending::kExhausted && solutions_ == 0) explain_dead_end();
 }
 
 }  // namespace solitaire

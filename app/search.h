@@ -23,6 +23,7 @@ class Search {
   bool wants_more() const { return options_.all || solutions_ < options_.count; }
   ExitStatus status() const;
   void summarize() const;
+  void explain_dead_end() const;
 
   const Session& session_;
   const Options& options_;

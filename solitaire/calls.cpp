@@ -118,6 +118,12 @@ Value Evaluator::call_builtin(const Builtin& builtin, const CallExpr& site, std:
         mistake(argument->name_span, fmt::format("'{}' is given twice", argument->name));
       slot = std::move(value);
     } else if (builtin.takes_extras) {
+      const std::string nearest =
+          nearest_name(argument->name, {builtin.parameters.begin(), builtin.parameters.end()});
+      if (!nearest.empty()) {
+        mistake(argument->name_span, fmt::format("'{}' has no parameter '{}'", builtin.name, argument->name),
+                fmt::format("did you mean '{}'?", nearest));
+      }
       extras.emplace_back(argument->name, std::move(value));
     } else {
       mistake(argument->name_span, fmt::format("'{}' has no parameter '{}'", builtin.name, argument->name));

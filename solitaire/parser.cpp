@@ -234,7 +234,18 @@ class Parser {
       diagnostics_.add(end, "expected ';' after this statement");
       return;  // what follows reads as a statement of its own
     }
-    fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)));
+    fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)), foreign_keyword_help());
+  }
+
+  /// What to write for a keyword of another language that was read as a name.
+  std::string foreign_keyword_help() const {
+    if (previous().kind != TokenKind::kName || !at(TokenKind::kName)) return "";
+    const std::string& word = previous().text;
+    if (word == "let" || word == "var" || word == "const")
+      return "a variable is made by assigning it: x = 3;";
+    if (word == "def" || word == "function" || word == "func")
+      return "a function is written fun f(x) { ... }";
+    return "";
   }
 
   bool on_new_line() const {
@@ -615,6 +626,10 @@ class Parser {
         fail("'not' binds weaker than this operator", "put it in parentheses: (not a)");
       case TokenKind::kAssign:
         fail("expected an expression, found '='", "a comparison for equality is ==");
+      case TokenKind::kPlus:
+        fail("expected an expression, found '+'", "to count up, write n += 1");
+      case TokenKind::kLeftBrace:
+        fail("expected an expression, found '{'", "lists stand in [ ]; values with named fields are records");
       default:
         fail(fmt::format("expected an expression, found {}", describe(token.kind)));
     }
@@ -628,7 +643,7 @@ class Parser {
     const Span open = take().span;
     ExprPtr value = expression();
     if (at(TokenKind::kEnd)) close_missing(open, "(");
-    expect(TokenKind::kRightParen, "to close '('");
+    expect(TokenKind::kRightParen, "to close '('", at(TokenKind::kComma) ? "a list is written [a, b]" : "");
     return value;
   }
 

@@ -166,6 +166,12 @@ class Resolver {
                        "choose among ints with range(lo, hi)");
       return;
     }
+    for (const char* nothing : {"None", "null", "undefined"}) {
+      if (node.name != nothing) continue;
+      diagnostics_.add(node.span, fmt::format("there is no '{}' here", node.name),
+                       "the value for nothing is nil");
+      return;
+    }
     const std::string nearest = nearest_name(node.name, visible_names());
     diagnostics_.add(node.span, fmt::format("there is no '{}' here", node.name),
                      nearest.empty() ? "" : fmt::format("did you mean '{}'?", nearest));
@@ -427,8 +433,10 @@ class Resolver {
   static bool is_plain(const Expr& node) {
     switch (node.kind) {
       case ExprKind::kLiteral:
-      case ExprKind::kName: return true;
-      case ExprKind::kUnary: return is_plain(*static_cast<const UnaryExpr&>(node).operand);
+      case ExprKind::kName:
+        return true;
+      case ExprKind::kUnary:
+        return is_plain(*static_cast<const UnaryExpr&>(node).operand);
       case ExprKind::kBinary: {
         const auto& binary = static_cast<const BinaryExpr&>(node);
         return binary.op != BinaryOp::kUpTo && is_plain(*binary.left) && is_plain(*binary.right);
@@ -437,12 +445,14 @@ class Resolver {
         const auto& logical = static_cast<const LogicalExpr&>(node);
         return is_plain(*logical.left) && is_plain(*logical.right);
       }
-      case ExprKind::kField: return is_plain(*static_cast<const FieldExpr&>(node).object);
+      case ExprKind::kField:
+        return is_plain(*static_cast<const FieldExpr&>(node).object);
       case ExprKind::kIndex: {
         const auto& index = static_cast<const IndexExpr&>(node);
         return is_plain(*index.object) && is_plain(*index.index);
       }
-      default: return false;
+      default:
+        return false;
     }
   }
 

@@ -33,7 +33,8 @@ struct Binding {
 /// How a call, choice or branch site adds to addresses. Sites of one function that can happen in the same
 /// execution have different labels; sites in exclusive branches share theirs.
 struct Site {
-  std::string label;    // "" for a branch of expressions so plain that nothing is gained by not looking into them
+  std::string
+      label;  // "" for a branch of expressions so plain that nothing is gained by not looking into them
   bool shared = false;  // whether an exclusive branch has a site of the same label
 };
 
