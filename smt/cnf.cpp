@@ -114,8 +114,7 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
       return push({!a ^ negated, !b});
     case Circuit::Kind::kMux:
       push({!a, b ^ negated});
-      push({a, c ^ negated});
-      return push({b ^ negated, c ^ negated});  // follows, but not by unit propagation
+      return push({a, c ^ negated});  // that b or c holds follows, and made no search shorter
     case Circuit::Kind::kParity:
       push({a ^ negated, b, c});
       push({a ^ negated, !b, !c});
