@@ -1,6 +1,7 @@
 #include "smt/cadical_solver.h"
 
 #include <cadical.hpp>
+#include <optional>
 
 #include "smt/bit_blast.h"
 
@@ -98,7 +99,7 @@ class CadicalSolver : public Solver, private ClauseSink {
     for (const std::size_t variable : suggested_) {
       const std::span<const Literal> bits = blaster_.choice_bits(variable);
       if (bits.empty()) waiting.push_back(variable);
-      const std::uint64_t wanted = blaster_.bits_of(variable, suggestions_[variable]);
+      const std::uint64_t wanted = blaster_.bits_of(variable, *suggestions_[variable]);
       for (std::size_t i = 0; i < bits.size(); ++i) {
         if (is_constant(bits[i])) continue;
         const int number = cnf_.variable(bits[i]);
@@ -119,7 +120,8 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   /// Of a choice on which no condition depends, so that any of its values will do.
   std::int64_t free_value(std::size_t variable) const {
-    return variable < suggestions_.size() ? suggestions_[variable] : graph_.variables()[variable].domain.lo;
+    const std::int64_t lowest = graph_.variables()[variable].domain.lo;
+    return variable < suggestions_.size() ? suggestions_[variable].value_or(lowest) : lowest;
   }
 
   std::uint64_t value_of(std::span<const Literal> bits) {
@@ -144,9 +146,9 @@ class CadicalSolver : public Solver, private ClauseSink {
   Circuit circuit_;
   Cnf cnf_;
   BitBlaster blaster_;
-  std::vector<std::int64_t> suggestions_;  // by variable
-  std::vector<std::size_t> suggested_;     // variables whose suggestions CaDiCaL does not know yet
-  std::vector<std::int64_t> model_;        // by variable
+  std::vector<std::optional<std::int64_t>> suggestions_;  // by variable
+  std::vector<std::size_t> suggested_;  // variables whose suggestions CaDiCaL does not know yet
+  std::vector<std::int64_t> model_;     // by variable
   std::vector<NodeId> core_;
 };
 

@@ -338,6 +338,16 @@ TEST_CASE("cadical: suggestions are followed where nothing is against them, also
   }
 }
 
+TEST_CASE("cadical: a choice that no condition depends on takes its suggested value, or one of its domain") {
+  const StopSignal never;
+  Quotients q({5, 9, 1, {}}, {3, 7, 1, {}});
+  const auto solver = make_cadical_solver(q.graph, {});
+  solver->suggest(1, 6);
+  REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
+  CHECK(solver->value(0) == 5);
+  CHECK(solver->value(1) == 6);
+}
+
 /// More pigeons than holes: hard, and satisfiable as soon as the last pigeon need not be there.
 struct Pigeons {
   explicit Pigeons(std::int64_t holes) {
