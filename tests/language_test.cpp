@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <optional>
-#include <regex>
+#include <sstream>
 
 #include "tests/program_run.h"
 
@@ -35,23 +35,28 @@ struct Expectation {
   bool only_solver = false;
 };
 
+/// What follows "// KIND: " in a line, without spaces around; nothing if the line has no such comment.
+std::optional<std::string> comment(const std::string& line, const std::string& kind) {
+  const std::string mark = "// " + kind + ":";
+  const std::size_t at = line.find(mark);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t begin = std::min(line.find_first_not_of(' ', at + mark.size()), line.size());
+  return line.substr(begin, line.find_last_not_of(' ') + 1 - begin);
+}
+
 Expectation read_expectation(const std::string& text) {
-  static const std::regex kComment(
-      "//[ ](prints|expect|expect solutions|expect choice|expect error|set|only the solver): *(.*?) *$");
   Expectation made;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    std::smatch match;
-    if (!std::regex_search(line, match, kComment)) continue;
-    const std::string kind = match[1], rest = match[2];
-    if (kind == "prints") made.prints.push_back(rest);
-    if (kind == "expect") made.values.push_back(rest);
-    if (kind == "expect solutions") made.solutions = std::stoul(rest);
-    if (kind == "expect choice") made.choices.push_back(rest);
-    if (kind == "expect error") made.errors.push_back(rest);
-    if (kind == "only the solver") made.only_solver = true;
-    if (kind == "set")
-      made.settings.emplace_back(rest.substr(0, rest.find(" = ")), rest.substr(rest.find(" = ") + 3));
+    if (const auto printed = comment(line, "prints")) made.prints.push_back(*printed);
+    if (const auto value = comment(line, "expect")) made.values.push_back(*value);
+    if (const auto number = comment(line, "expect solutions")) made.solutions = std::stoul(*number);
+    if (const auto choice = comment(line, "expect choice")) made.choices.push_back(*choice);
+    if (const auto error = comment(line, "expect error")) made.errors.push_back(*error);
+    if (const auto set = comment(line, "set")) {
+      made.settings.emplace_back(set->substr(0, set->find(" = ")), set->substr(set->find(" = ") + 3));
+    }
+    if (comment(line, "only the solver")) made.only_solver = true;
   }
   return made;
 }
