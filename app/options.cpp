@@ -65,7 +65,7 @@ void add_program_options(CLI::App& command, Options& options) {
       ->check(CLI::Validator(check_count, "N"));
   command
       .add_option("--max-depth", options.max_depth,
-                  "calls within each other after which a recursion counts as endless (default 10000)")
+                  "calls within each other after which a recursion counts as endless (default 4000)")
       ->check(CLI::Validator(check_count, "N"));
   command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);

@@ -31,7 +31,7 @@ class StopSignal {
 /// What bounds an evaluation.
 struct Limits {
   std::uint64_t max_steps = 10'000'000;  // statements, calls and elements of one execution
-  std::uint32_t max_depth = 10'000;      // calls within each other
+  std::uint32_t max_depth = 4'000;       // calls within each other
   /// In a symbolic pass: how far a path that only some executions take may go before it is cut. A cut is a
   /// blocker like a closed side.
   std::uint64_t fuel_steps = UINT64_MAX;

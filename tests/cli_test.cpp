@@ -243,7 +243,7 @@ TEST_CASE("cli: a program that runs forever is an error with its place, by limit
   CHECK(has(deep.err, "calls nest more than 100 deep"));
   const Outcome usual = run_solitaire({"check", recursion});
   CHECK(usual.status == 3);
-  CHECK(has(usual.err, "calls nest more than 10000 deep"));
+  CHECK(has(usual.err, "calls nest more than 4000 deep"));
 }
 
 TEST_CASE("cli: files that cannot be read or written are said by name") {

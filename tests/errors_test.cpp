@@ -197,9 +197,9 @@ TEST_CASE("errors: endless loops and recursion end at limits that can be set") {
 
 TEST_CASE("errors: recursion as deep as the default limit allows fits the stack") {
   const std::string program = "fun f(n) { if n == 0 then return 0 else return 1 + f(n - 1); }\n";
-  CHECK(both_ways(program + "assert(f(9000) == 9000);") == "");
+  CHECK(both_ways(program + "assert(f(3900) == 3900);") == "");
   CHECK(first_line(both_ways(program + "f(20000);")) ==
-        "test.sol:1:52: error: calls nest more than 10000 deep");
+        "test.sol:1:52: error: calls nest more than 4000 deep");
 }
 
 TEST_CASE("errors: --set") {
