@@ -11,7 +11,9 @@ std::string reason(Requirement requirement) {
   switch (requirement) {
     case Requirement::kAssert:
       return "the assert fails";
-    case Requirement::kRange:
+    case Requirement::kLowEnd:
+    case Requirement::kHighEnd:
+    case Requirement::kStep:
       return "the choice has no value within its range";
     case Requirement::kNotEmpty:
       return "there is nothing to choose from";

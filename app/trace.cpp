@@ -26,8 +26,9 @@ ExitStatus trace_graph(const Options& options) {
   const TracingOptions tracing = session.tracing_options();
   Graph graph;
   AddressTable addresses;
+  OpenChoices choices;
   Explorer explorer(session.program(), session.params(), tracing.exploration, tracing.seed, tracing.limits,
-                    graph, addresses);
+                    choices, graph, addresses);
   try {
     explorer.start();
   } catch (const Interrupted&) {

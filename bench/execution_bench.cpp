@@ -10,7 +10,7 @@ namespace {
 void run(benchmark::State& state, const Program& program) {
   AddressTable addresses;
   Limits limits;
-  limits.ignore_asserts = true;
+  limits.keep_going = true;
   for (auto _ : state) {
     RandomChoices choices(RandomStream(1, Purpose::kExplore, 0));
     benchmark::DoNotOptimize(execute(program, {}, choices, addresses, limits));

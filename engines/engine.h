@@ -6,10 +6,20 @@
 
 namespace solitaire {
 
-/// An execution in which every assert holds. It has been run: what it says is what the program does.
+/// How good a solution is, where the program has wishes or its asserts may be broken. Fewer broken asserts
+/// are better, and of those with as many the one of less cost.
+struct Quality {
+  std::size_t broken = 0;  // asserts
+  std::int64_t cost = 0;
+  bool proved = false;  // that no better one is left
+};
+
+/// An execution in which every assert holds, unless they may be broken. It has been run: what it says is what
+/// the program does.
 struct Solution {
   std::vector<MetChoice> choices;
   Execution execution;
+  std::optional<Quality> quality;
 };
 
 /// Why an engine has no further solution.
@@ -34,6 +44,12 @@ class Engine {
 
 /// Solitaire itself is wrong: a model of the formula is not an execution of the program.
 class InternalError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A solution that is known from before is none of this program.
+class NotASolution : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -36,7 +36,7 @@ std::optional<Solution> ExhaustiveEngine::next() {
       Execution execution = execute(program_, params_, odometer_, addresses_, limits_);
       if (execution.rejection) continue;
       std::vector<MetChoice> choices = execution.choices;
-      return Solution{std::move(choices), std::move(execution)};
+      return Solution{std::move(choices), std::move(execution), {}};
     } catch (const Interrupted&) {
       ending_ = Ending::kStopped;
     }

@@ -37,13 +37,15 @@ class Explorer::OpenSides : public Branches {
 };
 
 Explorer::Explorer(const Program& program, ParamValues params, const Exploration& exploration,
-                   std::uint64_t seed, const Limits& limits, Graph& graph, AddressTable& addresses)
+                   std::uint64_t seed, const Limits& limits, Choices& choices, Graph& graph,
+                   AddressTable& addresses)
     : program_(program),
       params_(std::move(params)),
       exploration_(exploration),
       seed_(seed),
       limits_(limits),
       granted_(limits),
+      choices_(choices),
       graph_(graph),
       addresses_(addresses),
       sides_(std::make_unique<OpenSides>()),
@@ -57,8 +59,7 @@ Explorer::~Explorer() = default;
 
 void Explorer::run_pass() {
   sides_->unasked = 0;
-  OpenChoices open_choices;
-  pass_ = trace(program_, params_, open_choices, *sides_, sides_->levels, graph_, addresses_, granted_);
+  pass_ = trace(program_, params_, choices_, *sides_, sides_->levels, graph_, addresses_, granted_);
   ++passes_;
 }
 
@@ -82,7 +83,7 @@ void Explorer::start() {
 
 void Explorer::open_random_sides() {
   Limits limits = limits_;
-  limits.ignore_asserts = true;
+  limits.keep_going = true;
   for (std::uint64_t i = 0; i < exploration_.executions; ++i) {
     RandomChoices choices(RandomStream(seed_, Purpose::kExplore, i));
     try {

@@ -32,8 +32,9 @@ struct Exploration {
 /// no others.
 class Explorer {
  public:
+  /// `choices` answers what is not to be left open.
   Explorer(const Program& program, ParamValues params, const Exploration& exploration, std::uint64_t seed,
-           const Limits& limits, Graph& graph, AddressTable& addresses);
+           const Limits& limits, Choices& choices, Graph& graph, AddressTable& addresses);
   ~Explorer();
 
   /// The trace of the newest pass. Throws Interrupted.
@@ -56,6 +57,7 @@ class Explorer {
   std::uint64_t seed_;
   Limits limits_;   // of one execution
   Limits granted_;  // of a pass: with the fuel it was granted so far
+  Choices& choices_;
   Graph& graph_;
   AddressTable& addresses_;
   std::unique_ptr<OpenSides> sides_;

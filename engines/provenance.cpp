@@ -33,7 +33,7 @@ void TracingEngine::add_object_choices(Solution& solution) {
   std::unordered_map<AddressId, const MetChoice*> met;
   for (const MetChoice& choice : solution.choices) met.emplace(choice.address, &choice);
 
-  for (const TracePlaced& placed : explorer_.pass().trace.placed) {
+  for (const TracePlaced& placed : solver_.trace().placed) {
     const auto placement = placements.find(addresses_.text(placed.address));
     if (placement == placements.end()) continue;
     std::vector<AnsweredChoice>& choices = placement->second->choices;

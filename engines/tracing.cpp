@@ -3,28 +3,13 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "engines/random.h"
-#include "smt/cadical_solver.h"
-#include "smt/z3_solver.h"
-#include "tracegraph/assignment.h"
+#include "engines/objective.h"
 
 namespace solitaire {
 namespace {
 
-/// Adds the time until its end to a sum.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& sum) : sum_(sum) {}
-  ~Stopwatch() { sum_ += std::chrono::duration<double>(StopSignal::Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& sum_;
-  StopSignal::Clock::time_point start_ = StopSignal::Clock::now();
-};
-
-using Answers = std::map<AddressId, std::pair<NodeId, std::int64_t>>;
+/// Passes that look for choices that a pin names before it counts as a mistake.
+constexpr std::size_t kPassesForPins = 8;
 
 /// Answers choices with the values of a model.
 class ModelChoices : public Choices {
@@ -46,164 +31,228 @@ class ModelChoices : public Choices {
   const AddressTable& addresses_;
 };
 
+/// Answers choices with those of a solution that was written down.
+class WrittenChoices : public Choices {
+ public:
+  WrittenChoices(const KnownChoices& choices, const AddressTable& addresses) : addresses_(addresses) {
+    for (const AnsweredChoice& choice : choices) values_.emplace(choice.address, choice.value);
+  }
+
+  std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain&) override {
+    const auto it = values_.find(addresses_.text(address));
+    if (it == values_.end()) throw NotASolution("it has no choice " + addresses_.text(address));
+    return it->second;
+  }
+
+ private:
+  const AddressTable& addresses_;
+  std::unordered_map<std::string, std::int64_t> values_;
+};
+
+ExecutionSolver::Firm firmness(bool relax) {
+  return [relax](const TraceAssert& condition) {
+    return !relax || condition.requirement != Requirement::kAssert;
+  };
+}
+
+std::size_t count_broken(const Execution& execution) {
+  std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> broken;
+  for (const Rejection& each : execution.broken) {
+    broken.emplace(each.address, each.whole.source, each.whole.begin);
+  }
+  return broken.size();
+}
+
 }  // namespace
 
-TracingEngine::TracingEngine(const Program& program, ParamValues params, const TracingOptions& options)
+TracingEngine::TracingEngine(const Program& program, ParamValues params, const TracingOptions& options,
+                             std::uint64_t known_solutions)
     : program_(program),
       params_(std::move(params)),
       options_(options),
-      explorer_(program, params_, options.exploration, options.seed, options.limits, graph_, addresses_) {
-  if (options_.limits.stop == nullptr) options_.limits.stop = &never_;
-  const std::uint64_t solver_seed = RandomStream(options.seed, Purpose::kSolver, 0).next();
-  solver_ = options.backend == Backend::kZ3
-                ? make_z3_solver(graph_, addresses_, {solver_seed, options.diverse})
-                : make_cadical_solver(graph_, {solver_seed});
+      limits_(options.limits),
+      pins_(options.pins, addresses_),
+      choices_(pins_),
+      solver_(program, params_, options, choices_, graph_, addresses_, firmness(options.relax),
+              known_solutions),
+      first_(known_solutions) {
+  limits_.keep_going = options.relax;
 }
 
 TracingEngine::~TracingEngine() = default;
 
-void TracingEngine::explore() {
-  if (explorer_.passes() > 0) return;
-  const Stopwatch watch(times_.explore);
-  explorer_.start();
+Ending TracingEngine::ending_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kFound:
+      return Ending::kNone;
+    case Outcome::kNone:
+      return Ending::kExhausted;
+    case Outcome::kUnexplored:
+      return Ending::kUnexplored;
+    case Outcome::kStopped:
+      break;
+  }
+  return Ending::kStopped;
 }
 
 std::optional<Solution> TracingEngine::next() {
+  if (ending_ != Ending::kNone) return std::nullopt;
+  if (options_.diverse) solver_.suggest_random_values(first_ + known_.size());
+  std::optional<Found> best;
+  if (proved_ != INT64_MIN) best = attempt(proved_);  // one as good as the last
+  if (!best && ending_ != Ending::kStopped) {
+    ending_ = Ending::kNone;
+    best = attempt(std::nullopt);
+  }
+  if (!best) return std::nullopt;
+  improve(*best);
+  Known known;
+  for (const MetChoice& choice : best->solution.choices) known.values.emplace(choice.address, choice.value);
+  exclude_known(known_.emplace_back(std::move(known)));
+  return std::move(best->solution);
+}
+
+/// Makes the solution better until it is proved that no better one is left, or a limit comes.
+void TracingEngine::improve(Found& best) {
+  if (!best.solution.quality) return;
+  proved_ = std::max(proved_, graph_.node(objective_).interval.lo);
+  while (best.rank > proved_) {
+    if (told_) told_(best.solution);
+    const std::int64_t target = proved_ + (best.rank - 1 - proved_) / 2;
+    if (std::optional<Found> better = attempt(target)) {
+      best = std::move(*better);
+    } else if (ending_ == Ending::kExhausted) {
+      proved_ = target + 1;
+    } else {
+      ending_ = Ending::kNone;  // the next search will find that it has to end
+      return;
+    }
+    ending_ = Ending::kNone;
+  }
+  best.solution.quality->proved = true;
+}
+
+/// A solution of at most that rank; if there is none, ending_ says why.
+std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::int64_t> most) {
+  const Outcome outcome = find(most);
+  ending_ = ending_of(outcome);
+  if (outcome != Outcome::kFound) return std::nullopt;
+  return take_solution();
+}
+
+TracingEngine::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
   try {
-    explore();
-    while (ending_ == Ending::kNone) {
-      sync_solver();
-      if (options_.diverse) suggest_values();
-      switch (check(assumptions(true))) {
-        case Verdict::kSatisfiable:
-          return take_solution();
-        case Verdict::kUnsatisfiable:
-          if (!open_core()) return std::nullopt;
-          break;
-        case Verdict::kStopped:
-          ending_ = Ending::kStopped;
-          break;
-      }
+    solver_.explore();
+    while (true) {
+      meet_pass();
+      const Outcome outcome = solver_.find([&]() -> std::vector<NodeId> {
+        if (!most) return {};
+        const NodeId objective = objective_of(graph_, solver_.trace(), options_.relax);
+        return {graph_.apply(Op::kLeInt, {objective, graph_.constant(*most)})};
+      });
+      if (met_pass_ == solver_.passes()) return outcome;
     }
   } catch (const Interrupted&) {
-    ending_ = Ending::kStopped;
+    return Outcome::kStopped;
   }
-  return std::nullopt;
+}
+
+/// What has to be done anew for each pass, before its executions are solutions.
+void TracingEngine::meet_pass() {
+  if (met_pass_ == solver_.passes()) return;
+  if (met_pass_ == 0) check_pins();
+  met_pass_ = solver_.passes();
+  set_pins();
+  if (!options_.relax) report_reachable_mistakes();
+  try {
+    objective_ = objective_of(graph_, solver_.trace(), options_.relax);
+  } catch (const IntegerTooLarge&) {
+    throw ProgramError(Diagnostic{
+        solver_.trace().wishes.front().span, "the cost of all wishes can grow past 62 bits", "", {}});
+  }
+  for (Known& known : known_) exclude_known(known);
 }
 
 bool TracingEngine::check_mistakes() {
   try {
-    explore();
-    sync_solver();
+    solver_.explore();
+    meet_pass();
   } catch (const Interrupted&) {
     return false;
   }
-  return !options_.limits.stop->stopped();
+  return options_.limits.stop == nullptr || !options_.limits.stop->stopped();
 }
 
-/// Tells the solver what the newest pass found. Conditions of earlier passes stay: each says something true
-/// about the executions that its guard describes, whatever else has been opened since.
-void TracingEngine::sync_solver() {
-  if (synced_pass_ == explorer_.passes()) return;
-  synced_pass_ = explorer_.passes();
-  {
-    const Stopwatch watch(times_.encode);
-    for (const TraceAssert& condition : explorer_.pass().trace.asserts) {
-      const NodeId required = graph_.implication(condition.guard, condition.condition);
-      if (required != kTrue && required_.insert(required.index).second) solver_->add_clause({&required, 1});
-    }
+/// A pin that matches no choice is a mistake of the user's, unless that choice stands on a path that was not
+/// explored yet.
+void TracingEngine::check_pins() {
+  if (pins_.empty()) return;
+  const auto unmatched = [this] {
+    std::vector<AddressId> addresses;
+    for (const TraceChoice& choice : solver_.trace().choices) addresses.push_back(choice.address);
+    return pins_.unmatched(addresses);
+  };
+  if (unmatched().empty()) return;
+  solver_.explore_fully(kPassesForPins);
+  const std::vector<const Pin*> wrong = unmatched();
+  if (wrong.empty()) return;
+  std::vector<std::string> known;
+  for (const TraceChoice& choice : solver_.trace().choices) known.push_back(addresses_.text(choice.address));
+  const std::vector<std::string> nearest = nearest_names(wrong.front()->pattern.text(), known, 3);
+  throw UnmatchedPin(nearest.empty() ? fmt::format("{}: the program has no choices", wrong.front()->source)
+                                     : fmt::format("{}: no choice has such an address; the nearest {} {}",
+                                                   wrong.front()->source, nearest.size() == 1 ? "is" : "are",
+                                                   fmt::join(nearest, ", ")));
+}
+
+/// What the pins require of a choice.
+std::vector<NodeId> TracingEngine::pinned_at(const TraceChoice& choice) {
+  std::vector<NodeId> required;
+  for (const Pin* pin : pins_.at(choice.address)) {
+    const NodeId equal = graph_.apply(Op::kEqInt, {choice.variable, graph_.constant(pin->value)});
+    required.push_back(graph_.implication(choice.guard, pin->forbidden ? graph_.negation(equal) : equal));
   }
-  report_reachable_mistakes();
+  std::erase(required, kTrue);
+  return required;
 }
 
-/// A solver that starts from random values of the choices ends at a solution near them, and not near the last
-/// one.
-void TracingEngine::suggest_values() {
-  RandomChoices random(RandomStream(options_.seed, Purpose::kSuggest, solutions_));
-  for (std::size_t i = 0; i < graph_.variables().size(); ++i) {
-    const ChoiceVariable& variable = graph_.variables()[i];
-    if (!solver_->suggest(i, *random.answer(variable.address, variable.domain))) return;
+void TracingEngine::set_pins() {
+  if (pins_.empty()) return;
+  for (const TraceChoice& choice : solver_.trace().choices) {
+    for (const NodeId required : pinned_at(choice)) solver_.add_clause({&required, 1});
   }
-}
-
-std::vector<NodeId> TracingEngine::assumptions(bool with_mistakes) {
-  const Trace& trace = explorer_.pass().trace;
-  std::vector<NodeId> result;
-  for (const TraceBlocker& blocker : trace.blockers) result.push_back(graph_.negation(blocker.guard));
-  if (with_mistakes) {
-    for (const TraceMistake& mistake : trace.mistakes) result.push_back(graph_.negation(mistake.guard));
-  }
-  std::sort(result.begin(), result.end(), [](NodeId a, NodeId b) { return a.index < b.index; });
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  std::erase(result, kTrue);
-  return result;
-}
-
-Verdict TracingEngine::check(const std::vector<NodeId>& assumptions) {
-  const Stopwatch watch(times_.solve);
-  return solver_->check(assumptions, *options_.limits.stop);
 }
 
 /// A mistake that some execution makes is the program's error, whether or not other executions are solutions.
 void TracingEngine::report_reachable_mistakes() {
-  const Trace& trace = explorer_.pass().trace;
+  const Trace& trace = solver_.trace();
   if (trace.mistakes.empty()) return;
   NodeId any = kFalse;
   for (const TraceMistake& mistake : trace.mistakes) any = graph_.disjunction(any, mistake.guard);
-  std::vector<NodeId> assumed = assumptions(false);
-  assumed.push_back(any);
-  if (check(assumed) != Verdict::kSatisfiable) return;
-  Assignment assignment(graph_, [this](std::size_t variable) { return solver_->value(variable); });
+  const Outcome outcome = solver_.find_explored([&] { return std::vector{any}; });
+  if (outcome != Outcome::kFound) return;
+  Assignment assignment = solver_.assignment();
   const auto met = std::find_if(trace.mistakes.begin(), trace.mistakes.end(),
                                 [&](const TraceMistake& mistake) { return assignment.holds(mistake.guard); });
   if (met == trace.mistakes.end()) throw InternalError("a model that comes to a mistake comes to none");
   // The replay throws what a concrete execution reports.
-  if (met->of_program && replay(model_choices()).rejection)
+  if (met->of_program && replay(solver_.answers()).rejection)
     throw InternalError("an execution that should come to a mistake was ruled out");
   throw ProgramError(Diagnostic{met->span, met->message, met->help, {}});
 }
 
-bool TracingEngine::open_core() {
-  const std::vector<NodeId> core = solver_->core();
-  const auto& blockers = explorer_.pass().trace.blockers;
-  std::vector<std::size_t> in_core;
-  for (std::size_t i = 0; i < blockers.size(); ++i) {
-    if (std::find(core.begin(), core.end(), graph_.negation(blockers[i].guard)) != core.end())
-      in_core.push_back(i);
-  }
-  if (in_core.empty()) {
-    ending_ = Ending::kExhausted;
-    return false;
-  }
-  const Stopwatch watch(times_.explore);
-  if (!explorer_.open(in_core)) ending_ = Ending::kUnexplored;
-  return ending_ == Ending::kNone;
-}
-
-/// The choices that exist in the model's execution.
-Answers TracingEngine::model_choices() {
-  Assignment assignment(graph_, [this](std::size_t variable) { return solver_->value(variable); });
-  Answers answers;
-  for (const TraceChoice& choice : explorer_.pass().trace.choices) {
-    if (!assignment.holds(choice.guard)) continue;
-    const bool added =
-        answers.try_emplace(choice.address, choice.variable, assignment.value(choice.variable)->i).second;
-    if (!added)
-      throw InternalError("two choices of one execution share the address " +
-                          addresses_.text(choice.address));
-  }
-  return answers;
-}
-
 Execution TracingEngine::replay(const Answers& answers) {
-  const Stopwatch watch(times_.replay);
+  const Stopwatch watch(solver_.times().replay);
   ModelChoices choices(answers, addresses_);
-  return execute(program_, params_, choices, addresses_, options_.limits);
+  return execute(program_, params_, choices, addresses_, limits_);
 }
 
-Solution TracingEngine::take_solution() {
-  const Answers answers = model_choices();
-  Solution solution;
+TracingEngine::Found TracingEngine::take_solution() {
+  Assignment assignment = solver_.assignment();
+  const Answers answers = solver_.answers(assignment);
+  Found found;
+  found.rank = assignment.value(objective_)->i;
+  Solution& solution = found.solution;
   solution.execution = replay(answers);
   if (const auto& rejection = solution.execution.rejection) {
     throw InternalError(
@@ -214,10 +263,47 @@ Solution TracingEngine::take_solution() {
     throw InternalError(
         fmt::format("a model has {} choices, its replay {}", answers.size(), solution.choices.size()));
   }
+  if (options_.relax || !solver_.trace().wishes.empty())
+    solution.quality = Quality{count_broken(solution.execution), solution.execution.cost};
   add_object_choices(solution);
-  forbid(answers);
-  ++solutions_;
+  return found;
+}
+
+Solution TracingEngine::exclude(const KnownChoices& choices) {
+  WrittenChoices written(choices, addresses_);
+  Solution solution;
+  solution.execution = execute(program_, params_, written, addresses_, limits_);
+  if (solution.execution.rejection) throw NotASolution("a condition of the program does not hold");
+  if (solution.execution.choices.size() != choices.size())
+    throw NotASolution("it has choices that the program does not have");
+  solution.choices = solution.execution.choices;
+  Known known;
+  for (const MetChoice& choice : solution.choices) known.values.emplace(choice.address, choice.value);
+  known_.push_back(std::move(known));
+  --first_;
+  if (met_pass_ > 0) exclude_known(known_.back());
   return solution;
+}
+
+std::vector<NodeId> TracingEngine::formula() {
+  const Trace& trace = solver_.trace();
+  std::vector<NodeId> conditions;
+  const ExecutionSolver::Firm firm = firmness(options_.relax);
+  for (const TraceAssert& required : trace.asserts) {
+    if (firm(required)) conditions.push_back(graph_.implication(required.guard, required.condition));
+  }
+  for (const TraceChoice& choice : trace.choices) {
+    for (const NodeId pinned : pinned_at(choice)) conditions.push_back(pinned);
+  }
+  for (const TraceBlocker& blocker : trace.blockers) conditions.push_back(graph_.negation(blocker.guard));
+  for (const TraceMistake& mistake : trace.mistakes) conditions.push_back(graph_.negation(mistake.guard));
+  for (const Known& known : known_) {
+    NodeId differs = kFalse;
+    for (const NodeId one : known.differs) differs = graph_.disjunction(differs, one);
+    conditions.push_back(differs);
+  }
+  std::erase(conditions, kTrue);
+  return conditions;
 }
 
 /// Section 4.2.3's all-different constraint: some choice of the solution has another value. That is
@@ -225,15 +311,27 @@ Solution TracingEngine::take_solution() {
 /// from the solution meets the same choices up to one that both have and answer differently, which satisfies
 /// the clause; and one that does not differ satisfies none of it. Choices that do not exist on a path
 /// therefore never make two solutions differ, and need no reserved value to be kept from it.
-void TracingEngine::forbid(const Answers& answers) {
-  const Stopwatch watch(times_.encode);
+///
+/// Which variable of the graph stands for a choice can change with the pass, since the domain of one whose
+/// ends depend on other choices grows with the paths that are open.
+void TracingEngine::exclude_known(Known& known) {
+  const Stopwatch watch(solver_.times().encode);
+  Assignment assignment(graph_, [&](std::size_t number) {
+    const ChoiceVariable& variable = graph_.variables()[number];
+    const auto value = known.values.find(variable.address);
+    return value == known.values.end() ? variable.domain.lo : value->second;
+  });
+  bool explored = false;
+  const Answers answers = solver_.answers(assignment, &explored);
+  if (!explored) return;  // it cannot be found yet
   std::vector<NodeId> differs;
   for (const auto& [address, answer] : answers) {
-    const auto& [variable, value] = answer;
-    const NodeId equal = graph_.apply(Op::kEqInt, {variable, graph_.constant(value)});
+    const NodeId equal = graph_.apply(Op::kEqInt, {answer.first, graph_.constant(answer.second)});
     if (equal != kTrue) differs.push_back(graph_.negation(equal));
   }
-  solver_->add_clause(differs);
+  if (differs == known.differs && !differs.empty()) return;
+  solver_.add_clause(differs);
+  known.differs = std::move(differs);
 }
 
 }  // namespace solitaire

@@ -1,79 +1,93 @@
 #pragma once
-#include <memory>
-#include <set>
-
-#include "engines/engine.h"
-#include "engines/explore.h"
-#include "smt/solver.h"
+#include "engines/execution_solver.h"
 
 namespace solitaire {
 
-/// Which solver decides the formula.
-enum class Backend : std::uint8_t { kCadical, kZ3 };
+/// The choices of a solution that is known from before.
+using KnownChoices = std::vector<AnsweredChoice>;
 
-struct TracingOptions {
-  Exploration exploration;
-  Backend backend = Backend::kCadical;
-  std::uint64_t seed = 0;
-  bool diverse = true;  // solutions that differ much, at some cost in speed
-  Limits limits;        // of one execution; its stop signal ends the engine
-};
-
-/// Where the time of a TracingEngine went, in seconds.
-struct TracingTimes {
-  double explore = 0, encode = 0, solve = 0, replay = 0;
+/// None of a program's choices is where a pin says; the message names those nearest.
+class UnmatchedPin : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Solitaire as the dissertation has it (Algorithm 2): explore the program into a trace graph, compile the
 /// graph to a formula, solve it under the constraint that the solution is a new one, and replay each
 /// solution.
 ///
-/// Blockers are assumed false; if nothing is found, the unsatisfiable core names those that stood in the way,
-/// and the exploration goes on there. A core without blockers proves that there is no further solution.
+/// Where the program has wishes, or asserts may be broken, the best solution that is left comes first: found
+/// by bisection between the best so far and what has been proved impossible.
 class TracingEngine : public Engine {
  public:
-  TracingEngine(const Program& program, ParamValues params, const TracingOptions& options);
+  /// An engine that starts with other known solutions, which come first of a longer run, finds others.
+  TracingEngine(const Program& program, ParamValues params, const TracingOptions& options,
+                std::uint64_t known_solutions = 0);
   ~TracingEngine() override;
 
+  /// As Engine::next. Where a limit comes while a solution is made better, it is returned as it is.
+  /// Throws UnmatchedPin.
   std::optional<Solution> next() override;
   Ending ending() const override { return ending_; }
   const AddressTable& addresses() const override { return addresses_; }
 
+  /// Keeps a solution from being found, and runs it. Throws NotASolution.
+  Solution exclude(const KnownChoices& choices);
+  /// Told of each solution that is better than the one before, while the next one is looked for.
+  void on_improvement(std::function<void(const Solution&)> told) { told_ = std::move(told); }
+
   const Graph& graph() const { return graph_; }
-  const SymbolicPass& pass() const { return explorer_.pass(); }
-  std::size_t passes() const { return explorer_.passes(); }
-  const TracingTimes& times() const { return times_; }
-  /// Explores without solving, as far as the policy goes by itself.
-  void explore();
+  const SymbolicPass& pass() const { return solver_.pass(); }
+  std::size_t passes() const { return solver_.passes(); }
+  const TracingTimes& times() const { return solver_.times(); }
+  /// Explores without solving, as far as the policy goes by itself. Throws Interrupted.
+  void explore() { solver_.explore(); }
   /// Looks for mistakes in what has been explored so far; false if a limit came first. Throws ProgramError.
   bool check_mistakes();
+  /// All that holds in the solutions that are left, on the paths explored so far.
+  std::vector<NodeId> formula();
 
  private:
-  void sync_solver();
+  using Outcome = ExecutionSolver::Outcome;
+  struct Known {
+    std::map<AddressId, std::int64_t> values;
+    std::vector<NodeId> differs;  // what the solver was told last: one of them holds
+  };
+  struct Found {
+    Solution solution;
+    std::int64_t rank = 0;  // the objective's value
+  };
+
+  void meet_pass();
+  void check_pins();
   void report_reachable_mistakes();
-  void suggest_values();
-  std::vector<NodeId> assumptions(bool with_mistakes);
-  Verdict check(const std::vector<NodeId>& assumptions);
-  bool open_core();
-  Solution take_solution();
-  std::map<AddressId, std::pair<NodeId, std::int64_t>> model_choices();
-  Execution replay(const std::map<AddressId, std::pair<NodeId, std::int64_t>>& answers);
+  void exclude_known(Known& known);
+  std::vector<NodeId> pinned_at(const TraceChoice& choice);
+  void set_pins();
+  Outcome find(std::optional<std::int64_t> most);
+  std::optional<Found> attempt(std::optional<std::int64_t> most);
+  void improve(Found& best);
+  Found take_solution();
+  Execution replay(const Answers& answers);
   void add_object_choices(Solution& solution);
-  void forbid(const std::map<AddressId, std::pair<NodeId, std::int64_t>>& answers);
+  static Ending ending_of(Outcome outcome);
 
   const Program& program_;
   ParamValues params_;
   TracingOptions options_;
+  Limits limits_;  // of executions
   Graph graph_;
   AddressTable addresses_;
-  Explorer explorer_;
-  std::unique_ptr<Solver> solver_;
-  std::set<std::uint32_t> required_;  // conditions the solver knows
+  Pins pins_;
+  PinnedChoices choices_;
+  ExecutionSolver solver_;
+  std::function<void(const Solution&)> told_;
   Ending ending_ = Ending::kNone;
-  StopSignal never_;
-  TracingTimes times_;
-  std::size_t synced_pass_ = 0;
-  std::uint64_t solutions_ = 0;
+  std::size_t met_pass_ = 0;
+  NodeId objective_ = kFalse;
+  std::int64_t proved_ = INT64_MIN;  // no solution that is left has a lower rank
+  std::vector<Known> known_;
+  std::uint64_t first_;  // number of the first solution
 };
 
 }  // namespace solitaire

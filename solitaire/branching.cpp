@@ -8,12 +8,30 @@ namespace {
 constexpr std::uint64_t kStepsBetweenChecks = 1024;
 constexpr std::size_t kShownCalls = 8;
 
+/// Whether an execution can go on where it fails.
+bool can_be_broken(Requirement requirement) {
+  switch (requirement) {
+    case Requirement::kAssert:
+    case Requirement::kLowEnd:
+    case Requirement::kHighEnd:
+    case Requirement::kStep:
+      return true;
+    case Requirement::kNotEmpty:
+    case Requirement::kIndex:
+    case Requirement::kDivisor:
+      return false;
+  }
+  return false;
+}
+
 /// The last step of a requirement's address.
 const char* label_of(Requirement requirement) {
   switch (requirement) {
     case Requirement::kAssert:
       return "assert";
-    case Requirement::kRange:
+    case Requirement::kLowEnd:
+    case Requirement::kHighEnd:
+    case Requirement::kStep:
     case Requirement::kNotEmpty:
       return "range";
     case Requirement::kIndex:
@@ -141,11 +159,13 @@ void Evaluator::end_path() {
 }
 
 void Evaluator::reject(Requirement requirement, Span span, const std::string& message) {
-  if (symbolic()) {
-    recorder_->add(
-        TraceAssert{path_.guard(), kFalse, requirement, address_of(label_of(requirement)), span, message});
-  } else {
-    execution_.rejection = Rejection{requirement, span, text(address_of(label_of(requirement))), message};
+  if (isolated_ == 0) {
+    const AddressId address = address_of(label_of(requirement));
+    if (symbolic()) {
+      recorder_->add(TraceAssert{path_.guard(), kFalse, requirement, address, span, span, message});
+    } else {
+      execution_.rejection = Rejection{requirement, span, span, text(address), message};
+    }
   }
   end_path();
 }
@@ -153,12 +173,53 @@ void Evaluator::reject(Requirement requirement, Span span, const std::string& me
 void Evaluator::require(NodeId condition, Requirement requirement, Span span, const std::string& message) {
   condition = settle(condition);
   if (condition == kTrue) return;
-  if (requirement == Requirement::kAssert && limits_.ignore_asserts) return;
+  if (limits_.keep_going && can_be_broken(requirement)) {
+    return note(condition, requirement, span, span, message);
+  }
   if (condition == kFalse) reject(requirement, span, message);
   check_condition(condition, span);
-  recorder_->add(
-      TraceAssert{path_.guard(), condition, requirement, address_of(label_of(requirement)), span, message});
+  if (isolated_ == 0) {
+    recorder_->add(TraceAssert{path_.guard(), condition, requirement, address_of(label_of(requirement)), span,
+                               span, message});
+  }
+  if (limits_.keep_going) {  // nothing says that it holds, but executions in which it does not end here
+    ++path_.losses.ends;
+    path_.narrow(condition);
+  }
   path_.facts.assume(condition, true);  // of the others nothing is asked any more
+}
+
+/// Executions on this path for which the condition fails have broken it, and go on.
+void Evaluator::note(NodeId condition, Requirement requirement, Span span, Span whole,
+                     const std::string& message) {
+  condition = settle(condition);
+  if (condition == kTrue) return;
+  const AddressId address = address_of(label_of(requirement));
+  if (symbolic()) {
+    check_condition(condition, span);
+    recorder_->add(TraceAssert{path_.guard(), condition, requirement, address, span, whole, message});
+  } else {
+    execution_.broken.push_back({requirement, span, whole, text(address), message});
+  }
+}
+
+/// What an expression is worth as a conjunct of an assert that is looked at by itself. Where it cannot be
+/// evaluated, it does not hold; the path goes on in any case.
+NodeId Evaluator::truth_of(const Expr& condition) {
+  const Checkpoint start = checkpoint();
+  const Path::Losses losses = path_.losses;
+  path_.enter_region();
+  ++isolated_;
+  NodeId truth = kFalse;
+  try {
+    const NodeId holds = this->condition(expression(condition), condition.span);
+    truth = path_.local() == kTrue ? holds : graph_.conjunction(path_.local(), holds);
+  } catch (const PathEnd&) {
+  }
+  --isolated_;
+  unwind(start);
+  path_.losses = losses;
+  return truth;
 }
 
 Diagnostic Evaluator::diagnose(Span span, const std::string& message, const std::string& help) const {
@@ -175,6 +236,7 @@ Diagnostic Evaluator::diagnose(Span span, const std::string& message, const std:
 }
 
 void Evaluator::mistake(Span span, const std::string& message, const std::string& help) {
+  if (isolated_ > 0) end_path();
   Diagnostic diagnostic = diagnose(span, message, help);
   if (!symbolic()) throw ProgramError(std::move(diagnostic));
   recorder_->add(TraceMistake{path_.guard(), activation_address(*current_), span, message, help, true});

@@ -73,6 +73,39 @@ Value assert_(Evaluator& evaluator, Call call) {
   return Value::nil();
 }
 
+// ---- wishes
+
+Value wish(Evaluator& evaluator, Call call, const char* name, bool less) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& amount) {
+    if (!amount.has_type(Type::kInt)) {
+      evaluator.mistake(argument_span(call, 0),
+                        fmt::format("'{}' needs an int, not {}", name, describe(amount)),
+                        amount.has_type(Type::kFloat) ? "floor(x) makes an int of a float" : "");
+    }
+    evaluator.wish(less ? amount : evaluator.negated(amount, call.site.span), call.site);
+    return Value::nil();
+  });
+}
+
+Value minimize(Evaluator& evaluator, Call call) { return wish(evaluator, call, "minimize", true); }
+Value maximize(Evaluator& evaluator, Call call) { return wish(evaluator, call, "maximize", false); }
+
+Value prefer(Evaluator& evaluator, Call call) {
+  const Value holds =
+      value_of(evaluator.graph(), evaluator.condition(call.arguments[0], argument_span(call, 0)));
+  const Value weight = given(call.arguments[1]) ? call.arguments[1] : Value(std::int64_t{1});
+  const Span span = argument_span(call, 1);
+  return evaluator.each_shape(weight, [&](const Value& amount) {
+    const std::string message = "the weight of 'prefer' is an int from 0, not ";
+    if (!amount.has_type(Type::kInt)) evaluator.mistake(span, message + describe(amount));
+    evaluator.mistake_if(evaluator.compare(BinaryOp::kLess, amount, std::int64_t{0}, span), span,
+                         message + to_text(amount));
+    const NodeId condition = evaluator.condition(holds, span);
+    evaluator.wish(merge(evaluator.graph(), condition, std::int64_t{0}, amount), call.site);
+    return Value::nil();
+  });
+}
+
 // ---- numbers
 
 Value extreme(Evaluator& evaluator, Call call, Op op) {
@@ -496,6 +529,9 @@ std::vector<Builtin> make_table() {
       {"flip", {}, 0, false, false, kChoice, flip},
       {"choose", {"list"}, 1, false, false, kChoice, choose},
       {"assert", {"condition", "message"}, 1, false, false, false, assert_},
+      {"prefer", {"condition", "weight"}, 1, false, false, false, prefer},
+      {"minimize", {"x"}, 1, false, false, false, minimize},
+      {"maximize", {"x"}, 1, false, false, false, maximize},
       {"min", {"list"}, 1, kVariadic, false, false, minimum},
       {"max", {"list"}, 1, kVariadic, false, false, maximum},
       {"abs", {"x"}, 1, false, false, false, absolute},

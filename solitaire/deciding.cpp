@@ -5,6 +5,14 @@
 
 namespace solitaire {
 
+namespace {
+
+bool holds(const ChoiceDomain& domain, std::int64_t value) {
+  return value >= domain.lo && value <= domain.hi && (value - domain.lo) % domain.step == 0;
+}
+
+}  // namespace
+
 AddressId Evaluator::activation_address(Activation& activation) {
   if (!activation.has_address) {
     const AddressId caller = activation_address(*activation.caller);
@@ -56,27 +64,37 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   const AddressId address = address_of(site.site.label);
   const auto answer = choices_.answer(address, domain);
   if (!answer && !symbolic()) throw std::logic_error("no answer for the choice " + text(address));
-  const NodeId variable = answer ? graph_.constant(*answer) : graph_.choice({address, domain});
+  const ChoiceDomain possible = answer ? domain : choices_.widened(address, domain);
+  const NodeId variable = answer ? graph_.constant(*answer) : graph_.choice({address, possible});
   if (answer) execution_.choices.push_back({address, domain, *answer});
   if (symbolic()) recorder_->add(TraceChoice{path_.guard(), variable, address, domain, site.span});
-  if (answer && fixed && known_step != nullptr) {
-    const bool fits =
-        *answer >= domain.lo && *answer <= domain.hi && (*answer - domain.lo) % domain.step == 0;
-    if (!fits) reject(Requirement::kRange, site.span);
-    return *answer;
-  }
-  if (!fixed) {
+  const bool known = fixed && known_step != nullptr;
+  if (known && answer && holds(domain, *answer)) return *answer;  // as in nearly every execution
+  if (!known || answer || possible != domain) {
     const NodeId first = node_of(graph_, lo);
-    require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kRange, site.span);
-    require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), Requirement::kRange, site.span);
+    require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kLowEnd, site.span);
+    require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), Requirement::kHighEnd, site.span);
   }
-  if (!step.identical(domain.step)) {
+  if (!step.identical(domain.step) || answer) {
     const NodeId offset = apply(Op::kSub, {variable, node_of(graph_, lo)}, site.span);
     const NodeId rest = apply(Op::kMod, {offset, node_of(graph_, step)}, site.span);
-    require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kRange,
+    require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kStep,
             site.span);
   }
   return value_of(graph_, variable);
+}
+
+void Evaluator::wish(const Value& cost, const CallExpr& site) {
+  const AddressId address = address_of(site.site.label);
+  if (symbolic()) {
+    const NodeId node = node_of(graph_, cost);
+    check_condition(node, site.span);
+    recorder_->add(TraceWish{path_.guard(), node, address, site.span});
+    return;
+  }
+  execution_.wishes.push_back({*cost.get<std::int64_t>(), site.span, text(address)});
+  execution_.cost += execution_.wishes.back().cost;
+  if (!is_exact(execution_.cost)) mistake(site.span, "the cost of all wishes grows past 62 bits");
 }
 
 void Evaluator::place(Placement placement, const CallExpr& site, std::span<const Value> depends) {

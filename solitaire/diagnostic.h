@@ -58,4 +58,8 @@ class Diagnostics {
 /// The candidate that `name` was probably meant to be, or "": a few letters changed, missing or swapped.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
+/// At most so many of the candidates, those most alike first.
+std::vector<std::string> nearest_names(std::string_view name, std::vector<std::string> candidates,
+                                       std::size_t count);
+
 }  // namespace solitaire

@@ -82,6 +82,8 @@ class Evaluator {
   [[noreturn]] void beyond_engine(Span span, const std::string& message, const std::string& help = "");
   /// graph().apply, with what it throws turned into mistakes.
   NodeId apply(Op op, std::initializer_list<NodeId> operands, Span span);
+  /// A wish of the program: executions that come here cost so much.
+  void wish(const Value& cost, const CallExpr& site);
 
   /// Runs one part for each guard, on forked states, and merges what they leave behind. The guards exclude
   /// each other and one of them holds. A part returns whether its path goes on, and may leave a value.
@@ -176,6 +178,8 @@ class Evaluator {
   /// The condition, or kTrue or kFalse if the path settles it.
   NodeId settle(NodeId condition) const;
   void check_condition(NodeId condition, Span span);
+  void note(NodeId condition, Requirement requirement, Span span, Span whole, const std::string& message);
+  NodeId truth_of(const Expr& condition);
   void add_exit(Exits& exits, NodeId guard, std::span<const Slot> slots, Value value);
   void resume(Exits& exits, std::span<const Slot> slots);
   void cut(Span span);
@@ -234,6 +238,8 @@ class Evaluator {
   Value logical(const LogicalExpr& node);
   Value if_expression(const IfExpr& node);
   Value call(const CallExpr& node);
+  bool assert_apart(const CallExpr& node);
+  void assert_conjuncts(const Expr& condition, Span whole, const std::string& message);
   Value function(const FunctionExpr& node);
   Value read(const Frame& frame, Slot slot, const NameExpr& node);
 
@@ -272,6 +278,7 @@ class Evaluator {
   Loop* loop_ = nullptr;
   std::uint32_t depth_ = 0;
   std::uint64_t total_steps_ = 0;
+  std::uint32_t isolated_ = 0;         // above 0: in a conjunct that is looked at by itself
   const char* stack_limit_ = nullptr;  // addresses below it are too close to the stack's end
   std::uint32_t frames_made_ = 0;
   std::vector<Ref<Frame>> captured_frames_;  // cleared at the end: closures in them refer back to them

@@ -38,8 +38,10 @@ struct Limits {
   std::uint32_t fuel_depth = UINT32_MAX;
   /// The evaluation ends with Interrupted once it says so. May be null.
   const StopSignal* stop = nullptr;
-  /// Executions are not ruled out by failed asserts: for exploring paths rather than finding solutions.
-  bool ignore_asserts = false;
+  /// Executions go on past failed asserts, and past choices that lie outside of their range: for exploring
+  /// paths, explanations and near misses. Then asserts are taken apart: each conjunct of a condition is
+  /// looked at by itself, and one that cannot be evaluated does not hold.
+  bool keep_going = false;
 };
 
 /// Thrown when Limits::stop said so.

@@ -40,9 +40,17 @@ struct Placement {
 /// Why an execution was ruled out.
 struct Rejection {
   Requirement requirement = Requirement::kAssert;
-  Span span;
+  Span span;  // as of a TraceAssert
+  Span whole;
   std::string address;
   std::string message;  // the author's, or ""
+};
+
+/// What a wish of the program costs an execution: prefer, minimize and maximize.
+struct WishCost {
+  std::int64_t cost = 0;
+  Span span;
+  std::string address;
 };
 
 /// A choice that an execution met.
@@ -55,6 +63,9 @@ struct MetChoice {
 /// What one run with answered choices came to.
 struct Execution {
   std::optional<Rejection> rejection;  // nothing in a solution
+  std::vector<Rejection> broken;       // asserts past which it went on; see Limits::keep_going
+  std::vector<WishCost> wishes;        // in the order in which they were met
+  std::int64_t cost = 0;               // the sum of theirs
   Value value;                         // what the program returned
   std::vector<MetChoice> choices;      // in the order in which they were met
   std::vector<Placement> placements;

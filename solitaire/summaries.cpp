@@ -14,6 +14,7 @@ Value Evaluator::call_shared(const Ref<Closure>& closure, const CallExpr& site,
   auto summary = std::make_unique<Summary>();
   summary->closure = closure;
   summary->arguments = arguments;
+  summary->isolated = isolated_ > 0;
   summary->segment = recorder_->begin_segment();
   Segment segment{frames_made_, {}, {}};
   segments_.push_back(&segment);
@@ -42,7 +43,8 @@ const Evaluator::Summary* Evaluator::find_summary(AddressId address, const Closu
   for (const auto& summary : it->second) {
     const bool same_callee =
         summary->closure->function == closure.function && summary->closure->outer == closure.outer;
-    if (same_callee && std::equal(arguments.begin(), arguments.end(), summary->arguments.begin(), same) &&
+    if (same_callee && summary->isolated == (isolated_ > 0) &&
+        std::equal(arguments.begin(), arguments.end(), summary->arguments.begin(), same) &&
         std::all_of(summary->reads.begin(), summary->reads.end(), [](const Summary::Read& read) {
           return same(read.frame->slots[read.slot], read.value);
         })) {

@@ -13,6 +13,7 @@ struct Evaluator::Summary {
   };
   Ref<Closure> closure;
   std::vector<Value> arguments;
+  bool isolated;  // whether in a conjunct that is looked at by itself
   std::vector<Read> reads;
   TraceRecorder::SegmentId segment = 0;
   NodeId out = kTrue;  // under which it comes to its end, given that it was called

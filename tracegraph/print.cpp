@@ -18,6 +18,7 @@ std::vector<NodeId> nodes_of(const Graph& graph, const Trace& trace) {
   };
   for (const auto& choice : trace.choices) need(choice.guard), need(choice.variable);
   for (const auto& required : trace.asserts) need(required.guard), need(required.condition);
+  for (const auto& wish : trace.wishes) need(wish.guard), need(wish.cost);
   for (const auto& blocker : trace.blockers) need(blocker.guard);
   for (const auto& mistake : trace.mistakes) need(mistake.guard);
   for (const auto& placed : trace.placed) {
@@ -54,8 +55,12 @@ const char* requirement_text(Requirement requirement) {
   switch (requirement) {
     case Requirement::kAssert:
       return "assert";
-    case Requirement::kRange:
-      return "within its range";
+    case Requirement::kLowEnd:
+      return "not below its range";
+    case Requirement::kHighEnd:
+      return "not above its range";
+    case Requirement::kStep:
+      return "on a step of its range";
     case Requirement::kNotEmpty:
       return "something to choose from";
     case Requirement::kIndex:
@@ -90,6 +95,8 @@ class TextPrinter {
                            ? (required.message.empty() ? "" : ": " + required.message)
                            : fmt::format(": {}", requirement_text(required.requirement))));
     }
+    for (const auto& wish : trace.wishes)
+      line(fmt::format("{}cost({});", condition(wish.guard), name(wish.cost)), addresses_.text(wish.address));
     for (const auto& mistake : trace.mistakes)
       line(fmt::format("{}error;", condition(mistake.guard)), mistake.message);
     for (const auto& blocker : trace.blockers) {
@@ -195,6 +202,8 @@ std::string trace_dot(const Graph& graph, const AddressTable& addresses, const T
     effect(fmt::format("{}\n{}", requirement_text(required.requirement), addresses.text(required.address)),
            required.guard, required.condition, "palegreen");
   }
+  for (const auto& wish : trace.wishes)
+    effect("cost\n" + addresses.text(wish.address), wish.guard, wish.cost, "plum");
   for (const auto& blocker : trace.blockers)
     effect("not explored\n" + addresses.text(blocker.side.branch), blocker.guard, kTrue, "lightgray");
   for (const auto& mistake : trace.mistakes)

@@ -67,6 +67,7 @@ Trace TraceRecorder::finish(Graph& graph) {
     Trace& part = segments_[id].trace;
     append_guarded(whole.choices, part.choices, entry[id], graph);
     append_guarded(whole.asserts, part.asserts, entry[id], graph);
+    append_guarded(whole.wishes, part.wishes, entry[id], graph);
     append_guarded(whole.placed, part.placed, entry[id], graph);
     append_guarded(whole.blockers, part.blockers, entry[id], graph);
     append_guarded(whole.mistakes, part.mistakes, entry[id], graph);

@@ -20,7 +20,9 @@ struct TraceChoice {
 /// Why an execution is ruled out.
 enum class Requirement : std::uint8_t {
   kAssert,    // an assert of the program
-  kRange,     // a choice lies between ends that depend on other choices
+  kLowEnd,    // a choice is not below its range
+  kHighEnd,   // a choice is not above its range
+  kStep,      // a choice is one of the values that its range steps to
   kNotEmpty,  // there is something to choose from
   kIndex,     // a list has an element at that index
   kDivisor,   // a divisor is not zero
@@ -32,8 +34,17 @@ struct TraceAssert {
   NodeId condition;
   Requirement requirement;
   AddressId address;
-  Span span;
+  Span span;            // of the condition; where asserts are taken apart, of a conjunct of it
+  Span whole;           // of the whole condition
   std::string message;  // the author's, or ""
+};
+
+/// What a solution should rather cost little of: prefer, minimize and maximize.
+struct TraceWish {
+  NodeId guard;
+  NodeId cost;  // an int
+  AddressId address;
+  Span span;
 };
 
 /// A thing put into the scene, with the nodes on which its place, size and looks depend.
@@ -75,6 +86,7 @@ struct TraceMistake {
 struct Trace {
   std::vector<TraceChoice> choices;
   std::vector<TraceAssert> asserts;
+  std::vector<TraceWish> wishes;
   std::vector<TracePlaced> placed;
   std::vector<TraceBlocker> blockers;
   std::vector<TraceMistake> mistakes;
@@ -100,6 +112,7 @@ class TraceRecorder {
 
   void add(TraceChoice choice) { current().choices.push_back(std::move(choice)); }
   void add(TraceAssert condition) { current().asserts.push_back(std::move(condition)); }
+  void add(TraceWish wish) { current().wishes.push_back(wish); }
   void add(TracePlaced placed) { current().placed.push_back(std::move(placed)); }
   void add(TraceBlocker blocker) { current().blockers.push_back(std::move(blocker)); }
   void add(TraceMistake mistake) { current().mistakes.push_back(std::move(mistake)); }

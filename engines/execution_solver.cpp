@@ -1,0 +1,183 @@
+#include "engines/execution_solver.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "engines/random.h"
+#include "smt/cadical_solver.h"
+#include "smt/z3_solver.h"
+
+namespace solitaire {
+
+ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, const TracingOptions& options,
+                                 Choices& choices, Graph& graph, AddressTable& addresses, Firm firm,
+                                 std::uint64_t stream)
+    : graph_(graph),
+      addresses_(addresses),
+      options_(options),
+      firm_(std::move(firm)),
+      explorer_(program, std::move(params), options.exploration, options.seed, options.limits, choices, graph,
+                addresses) {
+  if (options_.limits.stop == nullptr) options_.limits.stop = &never_;
+  const std::uint64_t solver_seed = RandomStream(options.seed, Purpose::kSolver, stream).next();
+  solver_ = options.backend == Backend::kZ3
+                ? make_z3_solver(graph_, addresses_, {solver_seed, options.diverse})
+                : make_cadical_solver(graph_, {solver_seed});
+}
+
+ExecutionSolver::~ExecutionSolver() = default;
+
+void ExecutionSolver::explore() {
+  if (explorer_.passes() == 0) {
+    const Stopwatch watch(times_.explore);
+    explorer_.start();
+  }
+  sync();
+}
+
+/// Tells the solver what the newest pass found. Conditions of earlier passes stay: each says something true
+/// about the executions that its guard describes, whatever else has been opened since.
+void ExecutionSolver::sync() {
+  if (synced_pass_ == explorer_.passes()) return;
+  synced_pass_ = explorer_.passes();
+  const Stopwatch watch(times_.encode);
+  for (const TraceAssert& condition : trace().asserts) {
+    if (!firm_(condition)) continue;
+    const NodeId required = graph_.implication(condition.guard, condition.condition);
+    if (required != kTrue && required_.insert(required.index).second) solver_->add_clause({&required, 1});
+  }
+}
+
+void ExecutionSolver::suggest_random_values(std::uint64_t index) {
+  RandomChoices random(RandomStream(options_.seed, Purpose::kSuggest, index));
+  for (std::size_t i = 0; i < graph_.variables().size(); ++i) {
+    const ChoiceVariable& variable = graph_.variables()[i];
+    if (!solver_->suggest(i, *random.answer(variable.address, variable.domain))) return;
+  }
+}
+
+std::vector<NodeId> ExecutionSolver::closed_sides() const {
+  std::vector<NodeId> closed;
+  for (const TraceBlocker& blocker : trace().blockers) closed.push_back(graph_.negation(blocker.guard));
+  return closed;
+}
+
+Verdict ExecutionSolver::check(std::vector<NodeId> assumptions) {
+  std::sort(assumptions.begin(), assumptions.end(), [](NodeId a, NodeId b) { return a.index < b.index; });
+  assumptions.erase(std::unique(assumptions.begin(), assumptions.end()), assumptions.end());
+  std::erase(assumptions, kTrue);
+  const Stopwatch watch(times_.solve);
+  const Verdict verdict = solver_->check(assumptions, *options_.limits.stop);
+  if (verdict == Verdict::kUnsatisfiable) core_ = solver_->core();
+  return verdict;
+}
+
+ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions) {
+  const auto without_mistakes = [&] {
+    std::vector<NodeId> all = conditions();
+    for (const TraceMistake& mistake : trace().mistakes) all.push_back(graph_.negation(mistake.guard));
+    return all;
+  };
+  while (true) {
+    const Outcome outcome = find_explored(without_mistakes);
+    if (outcome != Outcome::kNone) return outcome;
+    const std::vector<std::size_t> in_the_way = blockers_in_core();
+    if (in_the_way.empty()) return Outcome::kNone;
+    try {
+      if (!open(in_the_way)) return Outcome::kUnexplored;
+    } catch (const Interrupted&) {
+      return Outcome::kStopped;
+    }
+  }
+}
+
+ExecutionSolver::Outcome ExecutionSolver::find_explored(const Conditions& conditions) {
+  try {
+    explore();
+  } catch (const Interrupted&) {
+    return Outcome::kStopped;
+  }
+  std::vector<NodeId> assumptions = conditions();
+  const std::vector<NodeId> closed = closed_sides();
+  assumptions.insert(assumptions.end(), closed.begin(), closed.end());
+  switch (check(std::move(assumptions))) {
+    case Verdict::kSatisfiable:
+      return Outcome::kFound;
+    case Verdict::kUnsatisfiable:
+      return Outcome::kNone;
+    case Verdict::kStopped:
+      break;
+  }
+  return Outcome::kStopped;
+}
+
+std::vector<std::size_t> ExecutionSolver::blockers_in_core() const {
+  const std::unordered_set<NodeId> core(core_.begin(), core_.end());
+  std::vector<std::size_t> blockers;
+  for (std::size_t i = 0; i < trace().blockers.size(); ++i) {
+    if (core.count(graph_.negation(trace().blockers[i].guard)) != 0) blockers.push_back(i);
+  }
+  return blockers;
+}
+
+bool ExecutionSolver::open(const std::vector<std::size_t>& blockers) {
+  {
+    const Stopwatch watch(times_.explore);
+    if (!explorer_.open(blockers)) return false;
+  }
+  sync();
+  return true;
+}
+
+bool ExecutionSolver::explore_fully(std::size_t most_passes) {
+  explore();
+  for (std::size_t pass = 0; !trace().blockers.empty(); ++pass) {
+    if (pass == most_passes) return false;
+    NodeId any = kFalse;
+    for (const TraceBlocker& blocker : trace().blockers) any = graph_.disjunction(any, blocker.guard);
+    switch (check({any})) {
+      case Verdict::kUnsatisfiable:
+        return true;
+      case Verdict::kStopped:
+        throw Interrupted{};
+      case Verdict::kSatisfiable:
+        break;
+    }
+    Assignment model = assignment();
+    std::vector<std::size_t> reached;
+    for (std::size_t i = 0; i < trace().blockers.size(); ++i) {
+      if (model.holds(trace().blockers[i].guard)) reached.push_back(i);
+    }
+    if (!open(reached)) return false;
+  }
+  return true;
+}
+
+Assignment ExecutionSolver::assignment() {
+  return Assignment(graph_, [this](std::size_t variable) { return solver_->value(variable); });
+}
+
+Answers ExecutionSolver::answers() {
+  Assignment model = assignment();
+  return answers(model);
+}
+
+Answers ExecutionSolver::answers(Assignment& assignment, bool* complete) const {
+  Answers answers;
+  for (const TraceChoice& choice : trace().choices) {
+    if (!assignment.holds(choice.guard)) continue;
+    const bool added =
+        answers.try_emplace(choice.address, choice.variable, assignment.value(choice.variable)->i).second;
+    if (!added)
+      throw InternalError("two choices of one execution share the address " +
+                          addresses_.text(choice.address));
+  }
+  if (complete != nullptr) {
+    const auto& blockers = trace().blockers;
+    *complete = std::none_of(blockers.begin(), blockers.end(),
+                             [&](const TraceBlocker& blocker) { return assignment.holds(blocker.guard); });
+  }
+  return answers;
+}
+
+}  // namespace solitaire

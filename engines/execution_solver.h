@@ -1,0 +1,126 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "engines/engine.h"
+#include "engines/explore.h"
+#include "engines/pins.h"
+#include "smt/solver.h"
+#include "tracegraph/assignment.h"
+
+namespace solitaire {
+
+/// Which solver decides the formula.
+enum class Backend : std::uint8_t { kCadical, kZ3 };
+
+struct TracingOptions {
+  Exploration exploration;
+  Backend backend = Backend::kCadical;
+  std::uint64_t seed = 0;
+  bool diverse = true;  // solutions that differ much, at some cost in speed
+  bool relax = false;   // asserts may be broken, as few as possible
+  std::vector<Pin> pins;
+  Limits limits;  // of one execution; its stop signal ends the work
+};
+
+/// Where the time went, in seconds.
+struct TracingTimes {
+  double explore = 0, encode = 0, solve = 0, replay = 0;
+};
+
+/// Adds the time until its end to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum) {}
+  ~Stopwatch() { sum_ += std::chrono::duration<double>(StopSignal::Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  StopSignal::Clock::time_point start_ = StopSignal::Clock::now();
+};
+
+/// The choices that an execution meets: the node of each, and its value.
+using Answers = std::map<AddressId, std::pair<NodeId, std::int64_t>>;
+
+/// Looks for executions of a program that fulfil conditions: the trace graph of the program, grown where that
+/// is needed, and a solver that knows its formula.
+///
+/// Blockers are assumed false; if nothing is found, the unsatisfiable core names those that stood in the way,
+/// and the exploration goes on there. A core without blockers proves that there is no such execution.
+class ExecutionSolver {
+ public:
+  /// Which of a trace's requirements hold in every execution that is looked for. The others are the
+  /// business of whoever asks.
+  using Firm = std::function<bool(const TraceAssert&)>;
+
+  /// `choices` answers what is not to be left open. `stream` tells apart solvers of one seed.
+  ExecutionSolver(const Program& program, ParamValues params, const TracingOptions& options, Choices& choices,
+                  Graph& graph, AddressTable& addresses, Firm firm, std::uint64_t stream = 0);
+  ~ExecutionSolver();
+
+  /// Runs the first passes, as far as the policy goes by itself. Throws Interrupted.
+  void explore();
+  /// Opens every side that some execution comes to, until none is left; false if the policy or the number
+  /// of passes does not allow that. Throws Interrupted.
+  bool explore_fully(std::size_t most_passes = SIZE_MAX);
+
+  enum class Outcome : std::uint8_t {
+    kFound,
+    kNone,        // proved
+    kUnexplored,  // none on the paths that the policy explores
+    kStopped,     // a limit came first
+  };
+  /// Conditions that depend on the newest pass.
+  using Conditions = std::function<std::vector<NodeId>()>;
+  /// Looks for an execution that fulfils the conditions and comes to no mistake. They are asked for again
+  /// after each further pass.
+  Outcome find(const Conditions& conditions);
+  /// Whether an execution on the paths explored so far fulfils the conditions, which may come to mistakes.
+  Outcome find_explored(const Conditions& conditions);
+
+  /// From now on one of the conditions holds.
+  void add_clause(std::span<const NodeId> conditions) { solver_->add_clause(conditions); }
+  /// Has the next search start from random values of the choices: it then ends at a solution near them, and
+  /// not near the last one. What is found depends on the index.
+  void suggest_random_values(std::uint64_t index);
+
+  // After kFound:
+  Answers answers();
+  /// The choices that an execution with these values of the variables meets. `complete` says whether it
+  /// stays on explored paths.
+  Answers answers(Assignment& assignment, bool* complete = nullptr) const;
+  Assignment assignment();
+  // After kNone: the conditions in the core.
+  const std::vector<NodeId>& core() const { return core_; }
+
+  const Trace& trace() const { return explorer_.pass().trace; }
+  const SymbolicPass& pass() const { return explorer_.pass(); }
+  std::size_t passes() const { return explorer_.passes(); }
+  TracingTimes& times() { return times_; }
+  const TracingTimes& times() const { return times_; }
+
+ private:
+  void sync();
+  std::vector<NodeId> closed_sides() const;
+  Verdict check(std::vector<NodeId> assumptions);
+  std::vector<std::size_t> blockers_in_core() const;
+  bool open(const std::vector<std::size_t>& blockers);
+
+  Graph& graph_;
+  AddressTable& addresses_;
+  TracingOptions options_;
+  Firm firm_;
+  Explorer explorer_;
+  std::unique_ptr<Solver> solver_;
+  std::set<std::uint32_t> required_;  // conditions the solver knows
+  std::vector<NodeId> core_;
+  StopSignal never_;
+  TracingTimes times_;
+  std::size_t synced_pass_ = 0;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,37 @@
+#include "engines/pins.h"
+
+#include <algorithm>
+
+namespace solitaire {
+
+const std::vector<const Pin*>& Pins::at(AddressId address) {
+  const auto [it, added] = matches_.try_emplace(address);
+  if (added && !pins_.empty()) {
+    const std::vector<std::string> steps = addresses_.steps(address);
+    for (const Pin& pin : pins_) {
+      if (pin.pattern.matches(steps)) it->second.push_back(&pin);
+    }
+  }
+  return it->second;
+}
+
+std::optional<std::int64_t> Pins::value_at(AddressId address) {
+  for (const Pin* pin : at(address)) {
+    if (!pin->forbidden) return pin->value;
+  }
+  return std::nullopt;
+}
+
+std::vector<const Pin*> Pins::unmatched(const std::vector<AddressId>& addresses) {
+  std::vector<const Pin*> unmatched;
+  for (const Pin& pin : pins_) {
+    const bool matched = std::any_of(addresses.begin(), addresses.end(), [&](AddressId address) {
+      const auto& pins = at(address);
+      return std::find(pins.begin(), pins.end(), &pin) != pins.end();
+    });
+    if (!matched) unmatched.push_back(&pin);
+  }
+  return unmatched;
+}
+
+}  // namespace solitaire
