@@ -1,33 +1,43 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/console.h"
+#include "app/report.h"
 #include "app/session.h"
 
 namespace solitaire {
+namespace {
+
+std::string summary(const TracingEngine& engine) {
+  const Trace& trace = engine.pass().trace;
+  const std::size_t closed = trace.blockers.size();
+  return fmt::format("no mistakes found; {} choices, {} conditions, {} placed things, {} nodes{}",
+                     trace.choices.size(), trace.asserts.size(), trace.placed.size(), engine.graph().size(),
+                     closed == 0 ? "" : fmt::format(", {} branch sides not looked into", closed));
+}
+
+}  // namespace
 
 /// Looks for mistakes without looking for solutions.
-ExitStatus check(const Options& options) {
+ExitStatus check(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   TracingEngine engine(session.program(), session.params(), session.tracing_options());
+  const auto end_at_limit = [&] {
+    tell(fmt::format("{}: {}; not all mistakes were looked for\n", options.script, limit_text(options)));
+    return kLimit;
+  };
+  const Watchdog::AtLimit at_limit(watchdog, end_at_limit);
   try {
-    if (!engine.check_mistakes()) {
-      fmt::print(stderr, "{}: a limit came before all mistakes were looked for\n", options.script);
-      return kLimit;
-    }
+    const bool complete = engine.check_mistakes();
+    const auto lock = watchdog.delivering();
+    if (!complete) return watchdog.conclude(end_at_limit());
+    if (!options.quiet) tell(fmt::format("{}: {}\n", options.script, summary(engine)));
+    return watchdog.conclude(kDelivered);
   } catch (const ProgramError& error) {
+    const auto lock = watchdog.delivering();
     report(error, session.program().sources);
-    return kError;
+    return watchdog.conclude(kError);
   }
-  const Trace& trace = engine.pass().trace;
-  if (!options.quiet) {
-    fmt::print(stderr, "{}: no mistakes found; {} choices, {} conditions, {} placed things, {} nodes{}\n",
-               options.script, trace.choices.size(), trace.asserts.size(), trace.placed.size(),
-               engine.graph().size(),
-               trace.blockers.empty()
-                   ? ""
-                   : fmt::format(", {} branch sides not looked into", trace.blockers.size()));
-  }
-  return kDelivered;
 }
 
 }  // namespace solitaire

@@ -1,14 +1,15 @@
 #pragma once
 #include "app/options.h"
+#include "app/watchdog.h"
 
 namespace solitaire {
 
 // The subcommands; each is a file of its own. They return the exit status, and throw Reported, FileError and
-// SceneError.
+// SceneError. What they deliver and how they end is between them and the watchdog.
 
-ExitStatus generate(const Options& options);
-ExitStatus solve(const Options& options);
-ExitStatus check(const Options& options);
-ExitStatus trace_graph(const Options& options);
+ExitStatus generate(const Options& options, Watchdog& watchdog);
+ExitStatus solve(const Options& options, Watchdog& watchdog);
+ExitStatus check(const Options& options, Watchdog& watchdog);
+ExitStatus trace_graph(const Options& options, Watchdog& watchdog);
 
 }  // namespace solitaire

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/search.h"
 #include "app/solution_json.h"
 #include "scene/assets.h"
@@ -59,7 +60,15 @@ class Output {
     entries_.push_back(std::move(entry));
   }
 
-  void write_gallery() const {
+  void close() const {
+    if (entries_.empty()) return;
+    const std::filesystem::path page = options_.output / "index.html";
+    write_file_atomically(page, gallery());
+    if (!options_.quiet) tell(fmt::format("see {}\n", page.string()));
+  }
+
+ private:
+  std::string gallery() const {
     GalleryInfo info{session_.name(),
                      std::filesystem::path(options_.script).filename().string(),
                      std::to_string(options_.seed),
@@ -68,10 +77,9 @@ class Output {
       const std::size_t sign = setting.find('=');
       info.options.emplace_back(setting.substr(0, sign), setting.substr(sign + 1));
     }
-    write_file_atomically(options_.output / "index.html", gallery_html(info, entries_));
+    return gallery_html(info, entries_);
   }
 
- private:
   std::string json(const std::string& name, std::uint64_t number, const Solution& solution,
                    const TracingEngine& engine) const {
     nlohmann::ordered_json file{{"name", name},
@@ -101,24 +109,19 @@ class Output {
 
 }  // namespace
 
-ExitStatus generate(const Options& options) {
+ExitStatus generate(const Options& options, Watchdog& watchdog) {
   const Session session(options);
-  Search search(session, options);
+  Search search(session, options, watchdog);
   Output output(session, options);
-  const ExitStatus status = search.run([&](std::uint64_t number, const Solution& solution) {
-    output.add(number, solution, search.engine());
-    if (options.json) {
-      nlohmann::ordered_json line{{"index", number}};
-      line.update(solution_json(solution, search.engine().addresses()));
-      fmt::print("{}\n", json_text(line));
-      std::fflush(stdout);
-    }
-  });
-  if (search.solutions() > 0) {
-    output.write_gallery();
-    if (!options.quiet) fmt::print(stderr, "see {}\n", (options.output / "index.html").string());
-  }
-  return status;
+  return search.run(
+      [&](std::uint64_t number, const Solution& solution) {
+        output.add(number, solution, search.engine());
+        if (!options.json) return;
+        nlohmann::ordered_json line{{"index", number}};
+        line.update(solution_json(solution, search.engine().addresses()));
+        print_result(json_text(line) + "\n");
+      },
+      [&] { output.close(); });
 }
 
 }  // namespace solitaire

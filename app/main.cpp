@@ -1,38 +1,31 @@
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <sstream>
 
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/large_stack.h"
-#include "app/session.h"
-#include "scene/error.h"
+#include "app/report.h"
+#include "app/signals.h"
 
 namespace solitaire {
 namespace {
 
-using Command = ExitStatus (*)(const Options&);
+using Command = ExitStatus (*)(const Options&, Watchdog&);
 
-/// The exit status of a command, whatever comes out of it.
 ExitStatus run(Command command, const Options& options) {
-  try {
-    return command(options);
-  } catch (const Reported& reported) {
-    return reported.status;
-  } catch (const Interrupted&) {
-    fmt::print(stderr, "error: a limit came before anything was found\n");
-    return kLimit;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: out of memory\n");
-    return kLimit;
-  } catch (const InternalError& error) {
-    fmt::print(stderr,
-               "internal error: {}\nThis is a fault of solitaire, not of the program. Please report it with "
-               "the script.\n",
-               error.what());
-    return kError;
-  } catch (const std::exception& error) {  // FileError, SceneError: files that cannot be read or written
-    fmt::print(stderr, "error: {}\n", error.what());
-    return kError;
-  }
+  Watchdog watchdog(options);
+  return status_of(options, [&] { return command(options, watchdog); });
+}
+
+/// What the command line's reader has to say: help to standard output, mistakes to standard error.
+ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream result, complaint;
+  const bool helped = app.exit(error, result, complaint) == 0;
+  tell(complaint.str());
+  return status_of({}, [&] {
+    print_result(result.str());
+    return helped ? kDelivered : kUsage;
+  });
 }
 
 int run_command_line(int argc, char** argv) {
@@ -74,7 +67,7 @@ int run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDelivered : kUsage;
+    return answer(app, error);
   }
   if (generating->parsed()) return run(generate, generate_options);
   if (solving->parsed()) return run(solve, solve_options);
@@ -86,7 +79,8 @@ int run_command_line(int argc, char** argv) {
 }  // namespace solitaire
 
 int main(int argc, char** argv) {
-  solitaire::catch_interrupts();
+  solitaire::reserve_standard_streams();
+  solitaire::catch_signals();
   int status = solitaire::kError;
   solitaire::run_on_large_stack([&] { status = solitaire::run_command_line(argc, argv); });
   return status;

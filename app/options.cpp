@@ -69,6 +69,10 @@ void add_program_options(CLI::App& command, Options& options) {
       ->check(CLI::Validator(check_count, "N"));
   command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--memory", options.memory,
+                  "end when more than so many megabytes of memory are in use, keeping what was found")
+      ->check(CLI::PositiveNumber);
   command.add_flag("-q,--quiet", options.quiet, "no progress and no summary");
 }
 
@@ -76,6 +80,10 @@ void add_search_options(CLI::App& command, Options& options) {
   auto* count =
       command.add_option("-n", options.count, fmt::format("how many solutions (default {})", options.count))
           ->check(CLI::Validator(check_count, "N"));
+  command
+      .add_option("--per-solution", options.per_solution,
+                  "end when one further solution takes longer than so many seconds, keeping what was found")
+      ->check(CLI::NonNegativeNumber);
   command
       .add_option("--engine", options.backend,
                   "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")

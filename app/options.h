@@ -17,7 +17,7 @@ enum ExitStatus : int {
   kNoSolution = 1,  // proved that there is no (further) solution where one was asked for
   kUsage = 2,
   kError = 3,  // in the program, or a file that cannot be read or written
-  kLimit = 4,  // time, memory, steps or an interrupt came first; what was found is kept
+  kLimit = 4,  // time, memory or an interrupt came first; what was found is kept
 };
 
 enum class Distinct : std::uint8_t { kChoices, kResult };
@@ -34,7 +34,9 @@ struct Options {
   bool json = false;
   bool timings = false;
   bool quiet = false;
-  std::optional<double> timeout;  // seconds, for the whole run
+  std::optional<double> timeout;       // seconds, for the whole run
+  std::optional<double> per_solution;  // seconds, for one further solution
+  std::optional<double> memory;        // megabytes, of the process
   std::string explore = "demand";
   Backend backend = Backend::kCadical;
   std::uint64_t max_steps = Limits{}.max_steps;

@@ -3,7 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/console.h"
+
 namespace solitaire {
+namespace {
+
+constexpr const char* kClearLine = "\r\033[K";
+
+}  // namespace
 
 Progress::Progress(bool wanted, std::uint64_t goal)
     : shown_(wanted && isatty(STDERR_FILENO) != 0), goal_(goal) {
@@ -11,14 +18,8 @@ Progress::Progress(bool wanted, std::uint64_t goal)
 }
 
 Progress::~Progress() {
-  if (!shown_) return;
-  {
-    const std::lock_guard lock(mutex_);
-    done_ = true;
-  }
-  wake_.notify_one();
-  thread_.join();
-  clear();
+  end();
+  if (shown_) thread_.join();
 }
 
 void Progress::update(std::uint64_t solutions, std::size_t nodes) {
@@ -29,13 +30,14 @@ void Progress::update(std::uint64_t solutions, std::size_t nodes) {
 
 void Progress::say(const std::string& line) {
   const std::lock_guard lock(mutex_);
-  fmt::print(stderr, "{}{}\n", shown_ ? "\r\033[K" : "", line);
+  tell(fmt::format("{}{}\n", shown_ ? kClearLine : "", line));
 }
 
-void Progress::clear() {
-  if (!shown_) return;
+void Progress::end() {
   const std::lock_guard lock(mutex_);
-  fmt::print(stderr, "\r\033[K");
+  if (shown_ && !done_) tell(kClearLine);
+  done_ = true;
+  wake_.notify_one();
 }
 
 void Progress::run() {
@@ -48,7 +50,7 @@ void Progress::show() {
   const std::string count = goal_ > 0 ? fmt::format("{} of {} solutions", solutions_, goal_)
                                       : fmt::format("{} solutions", solutions_);
   const std::string graph = nodes_ > 0 ? fmt::format(", graph of {} nodes", nodes_) : "";
-  fmt::print(stderr, "\r\033[K{}{}, {:.1f} s", count, graph, seconds);
+  tell(fmt::format("{}{}{}, {:.1f} s", kClearLine, count, graph, seconds));
 }
 
 }  // namespace solitaire

@@ -20,8 +20,8 @@ class Progress {
   void update(std::uint64_t solutions, std::size_t nodes);
   /// Shows a line above the progress, terminal or not.
   void say(const std::string& line);
-  /// Takes the progress line away until the next update.
-  void clear();
+  /// Takes the progress line away, for good.
+  void end();
 
  private:
   void run();

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "app/progress.h"
+#include "app/console.h"
+#include "app/report.h"
 
 namespace solitaire {
 namespace {
@@ -27,41 +28,82 @@ std::string reason(Requirement requirement) {
 
 }  // namespace
 
-Search::Search(const Session& session, const Options& options)
+Search::Search(const Session& session, const Options& options, Watchdog& watchdog)
     : session_(session),
       options_(options),
+      watchdog_(watchdog),
       engine_(session.program(), session.params(), session.tracing_options()) {}
 
-ExitStatus Search::run(const Found& found) {
-  {
-    Progress progress(!options_.quiet, options_.all ? 0 : options_.count);
+ExitStatus Search::run(const Found& found, const Close& close) {
+  Progress progress(!options_.quiet, options_.all ? 0 : options_.count);
+  const Watchdog::AtLimit at_limit(watchdog_, [&] {
+    progress.end();
+    // The best solution so far of a search for the best would be handed to `found` here, as it was when it
+    // was found: the engine goes on meanwhile and must not be asked.
+    return finish(Ending::kStopped, close);
+  });
+  try {
+    const Ending ending = deliver_all(found, progress);
+    const auto lock = watchdog_.delivering();
+    progress.end();
+    return watchdog_.conclude(finish(ending, close));
+  } catch (const ProgramError& error) {
+    const auto lock = watchdog_.delivering();
+    progress.end();
+    report(error, session_.program().sources);
+    close();
+    return watchdog_.conclude(kError);
+  } catch (...) {
+    const auto lock = watchdog_.delivering();
+    progress.end();
     try {
-      engine_.explore();
-      progress.update(0, engine_.graph().size());
-      while (wants_more()) {
-        const std::optional<Solution> solution = engine_.next();
-        if (!solution) break;
-        if (options_.distinct == Distinct::kResult && !results_.add(solution->execution)) {
-          ++alike_;
-          continue;
-        }
-        ++solutions_;
-        for (const std::string& line : solution->execution.printed) progress.say(line);
-        found(solutions_, *solution);
-        progress.update(solutions_, engine_.graph().size());
-      }
-    } catch (const ProgramError& error) {
-      progress.clear();
-      report(error, session_.program().sources);
-      return kError;
+      close();
+    } catch (const std::exception&) {  // the first error is the one to report
     }
+    throw;
   }
-  if (!options_.quiet) summarize();
-  return status();
 }
 
-ExitStatus Search::status() const {
-  switch (engine_.ending()) {
+/// Why there is no further solution.
+Ending Search::deliver_all(const Found& found, Progress& progress) {
+  try {
+    while (wants_more()) {
+      const std::optional<Solution> solution = next_different(progress);
+      if (!solution) return engine_.ending();
+      const auto lock = watchdog_.delivering();
+      for (const std::string& line : solution->execution.printed) progress.say(line);
+      found(solutions_ + 1, *solution);
+      ++solutions_;
+    }
+    return Ending::kNone;
+  } catch (const Interrupted&) {
+    return Ending::kStopped;
+  } catch (const std::bad_alloc&) {
+    stop_signal().request(StopReason::kOutOfMemory);
+    return Ending::kStopped;
+  }
+}
+
+std::optional<Solution> Search::next_different(Progress& progress) {
+  const Watchdog::SolutionTime time(watchdog_);
+  engine_.explore();  // which is part of the search for the first
+  progress.update(solutions_, engine_.graph().size());
+  while (true) {
+    std::optional<Solution> solution = engine_.next();
+    if (!solution || options_.distinct != Distinct::kResult || results_.add(solution->execution))
+      return solution;
+    ++alike_;
+  }
+}
+
+ExitStatus Search::finish(Ending ending, const Close& close) const {
+  if (!options_.quiet) summarize(ending);
+  close();
+  return status(ending);
+}
+
+ExitStatus Search::status(Ending ending) const {
+  switch (ending) {
     case Ending::kNone:
       return kDelivered;
     case Ending::kExhausted:
@@ -79,17 +121,17 @@ void Search::explain_dead_end() const {
     if (required.guard != kTrue || required.condition != kFalse) continue;
     const std::string what = required.message.empty() ? reason(required.requirement) : required.message;
     const Diagnostic place{required.span, "every execution is ruled out here: " + what, "", {}};
-    fmt::print(stderr, "{}", format(place, session_.program().sources, "note"));
+    tell(format(place, session_.program().sources, "note"));
     return;
   }
 }
 
-void Search::summarize() const {
+void Search::summarize(Ending ending) const {
   const double seconds = std::chrono::duration<double>(StopSignal::Clock::now() - start_).count();
   std::string text =
       fmt::format("{} solution{} in {:.2f} s", solutions_, solutions_ == 1 ? "" : "s", seconds);
-  if (alike_ > 0) text += fmt::format(", not counting {} that look like others", alike_);
-  switch (engine_.ending()) {
+  if (alike_ > 0) text += fmt::format(", not counting {} that look like others", alike_.load());
+  switch (ending) {
     case Ending::kNone:
       break;
     case Ending::kExhausted:
@@ -101,11 +143,11 @@ void Search::summarize() const {
           "larger N, or demand";
       break;
     case Ending::kStopped:
-      text += stop_signal().requested() ? "; interrupted" : "; the time limit came first";
+      text += "; " + limit_text(options_);
       break;
   }
-  fmt::print(stderr, "{}\n", text);
-  if (engine_.ending() == Ending::kExhausted && solutions_ == 0) explain_dead_end();
+  tell(text + "\n");
+  if (ending == Ending::kExhausted && solutions_ == 0) explain_dead_end();
 }
 
 }  // namespace solitaire

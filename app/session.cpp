@@ -1,12 +1,10 @@
 #include "app/session.h"
 
-#include <csignal>
-#include <fmt/format.h>
+#include "app/report.h"
+#include "app/signals.h"
 
 namespace solitaire {
 namespace {
-
-void request_stop(int) { stop_signal().request(); }
 
 std::vector<std::pair<std::string, std::string>> split_settings(const std::vector<std::string>& settings) {
   std::vector<std::pair<std::string, std::string>> pairs;
@@ -19,26 +17,7 @@ std::vector<std::pair<std::string, std::string>> split_settings(const std::vecto
 
 }  // namespace
 
-StopSignal& stop_signal() {
-  static StopSignal signal;
-  return signal;
-}
-
-void catch_interrupts() {
-  struct sigaction action = {};
-  action.sa_handler = request_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
 Session::Session(const Options& options) : options_(options) {
-  if (options.timeout) {
-    const auto limit = std::chrono::duration<double>(std::min(*options.timeout, 1e8));
-    stop_signal().set_deadline(StopSignal::Clock::now() +
-                               std::chrono::duration_cast<StopSignal::Clock::duration>(limit));
-  }
   SourceSet sources;
   try {
     program_ = load_program(options.script, {{data_folder() / "solitaire", data_folder()}}, sources);
@@ -67,12 +46,6 @@ TracingOptions Session::tracing_options() const {
 }
 
 std::string Session::name() const { return std::filesystem::path(options_.script).stem().string(); }
-
-void report(const ProgramError& error, const SourceSet& sources) {
-  for (const Diagnostic& diagnostic : error.diagnostics())
-    fmt::print(stderr, "{}", format(diagnostic, sources));
-  if (error.diagnostics().size() > 1) fmt::print(stderr, "{} errors\n", error.diagnostics().size());
-}
 
 std::filesystem::path data_folder() {
   const char* const folder = std::getenv("SOLITAIRE_DATA");

@@ -7,11 +7,6 @@
 
 namespace solitaire {
 
-/// The signal that Ctrl-C gives; it is also what --timeout ends.
-StopSignal& stop_signal();
-/// Lets Ctrl-C and a request to terminate end the work in good order; a second Ctrl-C ends it at once.
-void catch_interrupts();
-
 /// A script that is loaded, with its params set: what every subcommand starts from.
 class Session {
  public:
@@ -29,14 +24,6 @@ class Session {
   Program program_;
   ParamValues params_;
 };
-
-/// Thrown where everything was said already; the exit status is all that is left.
-struct Reported {
-  ExitStatus status;
-};
-
-/// Shows the mistakes on standard error.
-void report(const ProgramError& error, const SourceSet& sources);
 
 /// The folder with std/ and assets/.
 std::filesystem::path data_folder();

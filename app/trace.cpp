@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/session.h"
 #include "smt/z3_solver.h"
 #include "tracegraph/print.h"
@@ -19,9 +18,17 @@ std::vector<NodeId> formula(Graph& graph, const Trace& trace) {
   return conditions;
 }
 
+std::string text_of(const SymbolicPass& pass, Graph& graph, const AddressTable& addresses,
+                    const std::string& format) {
+  if (format == "smt2") return to_smt2(graph, addresses, formula(graph, pass.trace));
+  if (format == "dot") return trace_dot(graph, addresses, pass.trace);
+  return trace_text(graph, addresses, pass.trace,
+                    [&](const NodeName& name) { return to_text(pass.value, name); });
+}
+
 }  // namespace
 
-ExitStatus trace_graph(const Options& options) {
+ExitStatus trace_graph(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   const TracingOptions tracing = session.tracing_options();
   Graph graph;
@@ -29,23 +36,11 @@ ExitStatus trace_graph(const Options& options) {
   OpenChoices choices;
   Explorer explorer(session.program(), session.params(), tracing.exploration, tracing.seed, tracing.limits,
                     choices, graph, addresses);
-  try {
-    explorer.start();
-  } catch (const Interrupted&) {
-    fmt::print(stderr, "a limit came before the program was explored\n");
-    return kLimit;
-  }
-  const SymbolicPass& pass = explorer.pass();
-  if (options.format == "smt2") {
-    fmt::print("{}", to_smt2(graph, addresses, formula(graph, pass.trace)));
-  } else if (options.format == "dot") {
-    fmt::print("{}", trace_dot(graph, addresses, pass.trace));
-  } else {
-    fmt::print("{}", trace_text(graph, addresses, pass.trace,
-                                [&](const NodeName& name) { return to_text(pass.value, name); }));
-  }
-  if (std::fflush(stdout) != 0) throw FileError("standard output", "cannot be written to");
-  return kDelivered;
+  explorer.start();
+  const std::string text = text_of(explorer.pass(), graph, addresses, options.format);
+  const auto lock = watchdog.delivering();
+  print_result(text);
+  return watchdog.conclude(kDelivered);
 }
 
 }  // namespace solitaire

@@ -14,17 +14,35 @@
 
 namespace solitaire {
 
+/// What ends work before it is done.
+enum class StopReason : std::uint8_t {
+  kNone,
+  kInterrupt,        // somebody asked for it
+  kTime,             // the time for all of the work is over
+  kTimePerSolution,  // the time for a single solution is over
+  kMemory,           // more memory is used than allowed
+  kOutOfMemory,      // there is no more memory
+};
+
 /// A wish to stop, from another thread or by the clock; long work looks at it now and then.
 class StopSignal {
  public:
   using Clock = std::chrono::steady_clock;
-  void request() { requested_.store(true, std::memory_order_relaxed); }
+  /// The first reason stays. Signal handlers may call this.
+  void request(StopReason reason = StopReason::kInterrupt) {
+    StopReason none = StopReason::kNone;
+    requested_.compare_exchange_strong(none, reason, std::memory_order_relaxed);
+  }
   void set_deadline(Clock::time_point deadline) { deadline_ = deadline; }
-  bool requested() const { return requested_.load(std::memory_order_relaxed); }
-  bool stopped() const { return requested() || (deadline_ && Clock::now() >= *deadline_); }
+  StopReason reason() const {
+    const StopReason requested = requested_.load(std::memory_order_relaxed);
+    const bool late = requested == StopReason::kNone && deadline_ && Clock::now() >= *deadline_;
+    return late ? StopReason::kTime : requested;
+  }
+  bool stopped() const { return reason() != StopReason::kNone; }
 
  private:
-  std::atomic<bool> requested_ = false;
+  std::atomic<StopReason> requested_ = StopReason::kNone;
   std::optional<Clock::time_point> deadline_;
 };
 

@@ -1,0 +1,31 @@
+#include "app/signals.h"
+
+#include <csignal>
+
+namespace solitaire {
+namespace {
+
+void request_stop(int) { stop_signal().request(); }
+
+void handle(int signal, void (*handler)(int), int flags) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+StopSignal& stop_signal() {
+  static StopSignal signal;
+  return signal;
+}
+
+void catch_signals() {
+  stop_signal();  // a handler must not be the first to construct it
+  for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop, static_cast<int>(SA_RESETHAND));
+  for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, SIG_IGN, 0);
+}
+
+}  // namespace solitaire

@@ -1,0 +1,97 @@
+#include "app/watchdog.h"
+
+#include <fstream>
+#include <unistd.h>
+
+#include "app/report.h"
+
+namespace solitaire {
+namespace {
+
+constexpr std::chrono::milliseconds kInterval(20);
+/// The time to end in good order, then for a delivery that is going on. With the rest of the end the sum
+/// stays under a second.
+constexpr std::chrono::milliseconds kGrace(500);
+constexpr std::chrono::milliseconds kPatience(300);
+
+StopSignal::Clock::time_point after(std::optional<double> seconds) {
+  if (!seconds) return StopSignal::Clock::time_point::max();
+  const std::chrono::duration<double> length(std::min(*seconds, 1e8));  // more than the clock can count
+  return StopSignal::Clock::now() + std::chrono::duration_cast<StopSignal::Clock::duration>(length);
+}
+
+constexpr double kMegabyte = 1e6;
+
+/// What the process has in the machine's memory, in bytes.
+double resident_memory() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+Watchdog::Watchdog(const Options& options)
+    : options_(options),
+      deadline_(after(options.timeout)),
+      finish_([this] { return report_limit(options_); }) {
+  look();  // a limit of nothing holds from the start
+  thread_ = std::thread([this] { watch(); });
+}
+
+Watchdog::~Watchdog() {
+  {
+    const std::lock_guard lock(done_mutex_);
+    done_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+ExitStatus Watchdog::conclude(ExitStatus status) {
+  status_ = status;
+  return status;
+}
+
+void Watchdog::watch() {
+  std::unique_lock lock(done_mutex_);
+  const auto done = [this] { return done_; };
+  while (!stop_.stopped()) {
+    if (wake_.wait_for(lock, kInterval, done)) return;
+    look();
+  }
+  if (!wake_.wait_for(lock, kGrace, done)) end_process();
+}
+
+void Watchdog::look() {
+  const auto now = Clock::now();
+  if (now >= deadline_) stop_.request(StopReason::kTime);
+  if (now >= solution_deadline_.load()) stop_.request(StopReason::kTimePerSolution);
+  if (options_.memory && resident_memory() > *options_.memory * kMegabyte) stop_.request(StopReason::kMemory);
+}
+
+void Watchdog::end_process() {
+  Lock lock(mutex_, std::defer_lock);
+  if (!lock.try_lock_for(kPatience)) ::_exit(report_limit(options_));
+  if (!status_) status_ = status_of(options_, finish_);
+  ::_exit(*status_);
+}
+
+Watchdog::AtLimit::AtLimit(Watchdog& watchdog, Finish finish) : watchdog_(watchdog) {
+  const Lock lock = watchdog_.delivering();
+  former_ = std::exchange(watchdog_.finish_, std::move(finish));
+}
+
+Watchdog::AtLimit::~AtLimit() {
+  const Lock lock = watchdog_.delivering();
+  watchdog_.finish_ = std::move(former_);
+}
+
+Watchdog::SolutionTime::SolutionTime(Watchdog& watchdog) : watchdog_(watchdog) {
+  watchdog_.solution_deadline_ = after(watchdog_.options_.per_solution);
+}
+
+Watchdog::SolutionTime::~SolutionTime() { watchdog_.solution_deadline_ = Clock::time_point::max(); }
+
+}  // namespace solitaire

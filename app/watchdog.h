@@ -1,0 +1,87 @@
+#pragma once
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "app/options.h"
+#include "app/signals.h"
+
+namespace solitaire {
+
+/// Makes the limits of a run hold, whatever the run is doing: solvers look at a limit only now and then.
+///
+/// A thread looks at the time, the memory and the stop signal. A limit that came is told to the stop signal,
+/// and the run has half a second to end in good order. If it does not, the watchdog delivers and says what is
+/// left to deliver and to say, and ends the process, the solver with it.
+///
+/// So that each thing is said once and nothing is taken while it changes, what a run has for its user belongs
+/// to whoever holds the mutex: the run while it delivers something, never while it searches, and the watchdog
+/// at the end.
+class Watchdog {
+ public:
+  /// Delivers what is left when a limit came and gives the exit status.
+  using Finish = std::function<ExitStatus()>;
+  using Lock = std::unique_lock<std::timed_mutex>;
+
+  explicit Watchdog(const Options& options);
+  ~Watchdog();
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+  /// To be held while something is delivered, which should be short: an end that is due waits for it, though
+  /// not for long. Once that end has begun, this never returns.
+  [[nodiscard]] Lock delivering() { return Lock(mutex_); }
+  /// Nothing is left to deliver or to say: from now on a limit ends the process with this status. To be
+  /// called while delivering.
+  ExitStatus conclude(ExitStatus status);
+
+  /// As long as this lives, the watchdog ends the run by `finish`, on its own thread.
+  class AtLimit {
+   public:
+    AtLimit(Watchdog& watchdog, Finish finish);
+    ~AtLimit();
+    AtLimit(const AtLimit&) = delete;
+    AtLimit& operator=(const AtLimit&) = delete;
+
+   private:
+    Watchdog& watchdog_;
+    Finish former_;
+  };
+
+  /// As long as this lives, the time that one solution may take runs.
+  class SolutionTime {
+   public:
+    explicit SolutionTime(Watchdog& watchdog);
+    ~SolutionTime();
+    SolutionTime(const SolutionTime&) = delete;
+    SolutionTime& operator=(const SolutionTime&) = delete;
+
+   private:
+    Watchdog& watchdog_;
+  };
+
+ private:
+  using Clock = StopSignal::Clock;
+
+  void watch();
+  void look();
+  [[noreturn]] void end_process();
+
+  const Options& options_;
+  StopSignal& stop_ = stop_signal();
+  Clock::time_point deadline_;
+  std::atomic<Clock::time_point> solution_deadline_ = Clock::time_point::max();
+
+  std::timed_mutex mutex_;
+  Finish finish_;                     // what follows is for whoever holds the mutex
+  std::optional<ExitStatus> status_;  // once concluded
+
+  std::mutex done_mutex_;
+  std::condition_variable wake_;
+  bool done_ = false;
+  std::thread thread_;
+};
+
+}  // namespace solitaire
