@@ -79,6 +79,7 @@ Ending Search::deliver_all(const Found& found, Progress& progress) {
   } catch (const Interrupted&) {
     return Ending::kStopped;
   } catch (const std::bad_alloc&) {
+    reserve_.reset();
     stop_signal().request(StopReason::kOutOfMemory);
     return Ending::kStopped;
   }

@@ -41,6 +41,9 @@ class Search {
   DistinctResults results_;
   std::uint64_t solutions_ = 0;           // delivered; changes only while delivering
   std::atomic<std::uint64_t> alike_ = 0;  // solutions that looked like earlier ones
+  /// Given back where there is no more memory, for what is to be done then. It is not touched, so it takes
+  /// none from the machine.
+  std::unique_ptr<std::byte[]> reserve_ = std::make_unique_for_overwrite<std::byte[]>(std::size_t{32} << 20);
   StopSignal::Clock::time_point start_ = StopSignal::Clock::now();
 };
 

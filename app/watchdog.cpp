@@ -13,6 +13,8 @@ constexpr std::chrono::milliseconds kInterval(20);
 /// stays under a second.
 constexpr std::chrono::milliseconds kGrace(500);
 constexpr std::chrono::milliseconds kPatience(300);
+/// Memory may go on growing meanwhile.
+constexpr std::chrono::milliseconds kGraceForMemory(100);
 
 StopSignal::Clock::time_point after(std::optional<double> seconds) {
   if (!seconds) return StopSignal::Clock::time_point::max();
@@ -61,7 +63,8 @@ void Watchdog::watch() {
     if (wake_.wait_for(lock, kInterval, done)) return;
     look();
   }
-  if (!wake_.wait_for(lock, kGrace, done)) end_process();
+  const auto grace = stop_.reason() == StopReason::kMemory ? kGraceForMemory : kGrace;
+  if (!wake_.wait_for(lock, grace, done)) end_process();
 }
 
 void Watchdog::look() {

@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "smt/encode.h"
@@ -40,10 +41,16 @@ class Watchdog {
   std::thread thread_;
 };
 
+/// Lack of memory is no other matter in Z3 than elsewhere.
+void throw_bad_alloc(Z3_context, Z3_error_code error) {
+  if (error == Z3_MEMOUT_FAIL) throw std::bad_alloc();
+}
+
 class Z3Solver : public Solver {
  public:
   Z3Solver(const Graph& graph, const AddressTable& addresses, const Z3Options& options)
       : graph_(graph), encoder_(context_, graph, addresses), solver_(context_, "QF_BV") {
+    Z3_set_error_handler(context_, throw_bad_alloc);
     z3::params params(context_);
     params.set("random_seed", static_cast<unsigned>(options.seed & 0x7fffffffU));
     if (options.random_phase) params.set("phase", context_.str_symbol("random"));
@@ -133,6 +140,7 @@ std::unique_ptr<Solver> make_z3_solver(const Graph& graph, const AddressTable& a
 
 std::string to_smt2(const Graph& graph, const AddressTable& addresses, std::span<const NodeId> conditions) {
   z3::context context;
+  Z3_set_error_handler(context, throw_bad_alloc);
   Encoder encoder(context, graph, addresses);
   z3::solver solver(context);
   for (const NodeId condition : conditions) {
