@@ -10,6 +10,7 @@ namespace solitaire {
 ExitStatus generate(const Options& options, Watchdog& watchdog);
 ExitStatus solve(const Options& options, Watchdog& watchdog);
 ExitStatus check(const Options& options, Watchdog& watchdog);
+ExitStatus explain(const Options& options, Watchdog& watchdog);
 ExitStatus trace_graph(const Options& options, Watchdog& watchdog);
 
 }  // namespace solitaire

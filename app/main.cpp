@@ -57,6 +57,16 @@ int run_command_line(int argc, char** argv) {
   CLI::App* checking = app.add_subcommand("check", "look for mistakes in a program");
   add_program_options(*checking, check_options);
 
+  Options explain_options;
+  CLI::App* explaining = app.add_subcommand(
+      "explain", "why a program has no solution, or what in it rules nothing out and never occurs");
+  add_program_options(*explaining, explain_options);
+  add_solver_options(*explaining, explain_options);
+  explaining->add_option("--more", explain_options.more, "also show so many further, independent conflicts")
+      ->type_name("N");
+  explaining->add_flag("--choices", explain_options.choices, "show the values of every choice in solutions");
+  explaining->add_flag("--json", explain_options.json, "as one JSON object");
+
   Options trace_options;
   CLI::App* tracing = app.add_subcommand("trace", "print the trace graph of a program");
   add_program_options(*tracing, trace_options);
@@ -72,6 +82,7 @@ int run_command_line(int argc, char** argv) {
   if (generating->parsed()) return run(generate, generate_options);
   if (solving->parsed()) return run(solve, solve_options);
   if (checking->parsed()) return run(check, check_options);
+  if (explaining->parsed()) return run(explain, explain_options);
   return run(trace_graph, trace_options);
 }
 

@@ -35,6 +35,15 @@ std::string check_setting(const std::string& text) {
                                                 : "";
 }
 
+/// An option that can be given several times, each time with one value.
+CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                            const std::string& help) {
+  return command.add_option(name, values, help)
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 }  // namespace
 
 Exploration Options::exploration() const {
@@ -45,13 +54,9 @@ Exploration Options::exploration() const {
 
 void add_program_options(CLI::App& command, Options& options) {
   command.add_option("FILE", options.script, "the script, a .sol file")->required();
-  command
-      .add_option("--set", options.settings,
-                  "set a param of the program: NAME=VALUE; can be given several times")
-      ->check(CLI::Validator(check_setting, "NAME=VALUE"))
-      ->allow_extra_args(false)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_repeatable(command, "--set", options.settings,
+                 "set a param of the program: NAME=VALUE; can be given several times")
+      ->check(CLI::Validator(check_setting, "NAME=VALUE"));
   command.add_option("--seed", options.seed, "same seed, program and options: same output (default 0)");
   command
       .add_option(
@@ -76,6 +81,32 @@ void add_program_options(CLI::App& command, Options& options) {
   command.add_flag("-q,--quiet", options.quiet, "no progress and no summary");
 }
 
+void add_solver_options(CLI::App& command, Options& options) {
+  command
+      .add_option("--engine", options.backend,
+                  "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Backend>{{"auto", Backend::kCadical},
+                                                                         {"cadical", Backend::kCadical},
+                                                                         {"z3", Backend::kZ3}})
+                      .description("auto|cadical|z3"));
+  add_repeatable(
+      command, "--pin", options.pins,
+      "fix the choices whose addresses match a pattern: ADDRESS=VALUE, as 'wing[*]/room[0]/x=3'; can be "
+      "given several times")
+      ->type_name("ADDRESS=VALUE");
+  add_repeatable(command, "--forbid", options.forbidden, "keep the choices that match from having a value")
+      ->type_name("ADDRESS=VALUE");
+  auto* file = command
+                   .add_option("--pin-file", options.pin_file,
+                               "fix choices to what they are in the .json file of a solution")
+                   ->type_name("FILE");
+  add_repeatable(
+      command, "--keep", options.keep,
+      "of --pin-file, fix only the choices whose addresses match the pattern; can be given several times")
+      ->type_name("PATTERN")
+      ->needs(file);
+}
+
 void add_search_options(CLI::App& command, Options& options) {
   auto* count =
       command.add_option("-n", options.count, fmt::format("how many solutions (default {})", options.count))
@@ -84,13 +115,9 @@ void add_search_options(CLI::App& command, Options& options) {
       .add_option("--per-solution", options.per_solution,
                   "end when one further solution takes longer than so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);
-  command
-      .add_option("--engine", options.backend,
-                  "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Backend>{{"auto", Backend::kCadical},
-                                                                         {"cadical", Backend::kCadical},
-                                                                         {"z3", Backend::kZ3}})
-                      .description("auto|cadical|z3"));
+  add_solver_options(command, options);
+  command.add_flag("--relax", options.relax,
+                   "where not all asserts can hold, break as few as possible, and mark what is broken");
   command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
       ->excludes(count);
   command

@@ -42,12 +42,21 @@ struct Options {
   std::uint64_t max_steps = Limits{}.max_steps;
   std::uint32_t max_depth = Limits{}.max_depth;
   std::string format = "text";
+  std::vector<std::string> pins;       // ADDRESS=VALUE
+  std::vector<std::string> forbidden;  // ADDRESS=VALUE
+  std::filesystem::path pin_file;
+  std::vector<std::string> keep;  // patterns over the addresses of pin_file
+  bool relax = false;
+  std::uint64_t more = 0;  // conflicts after the first
+  bool choices = false;    // explain every choice
 
   Exploration exploration() const;
 };
 
 /// Adds the options that every subcommand shares.
 void add_program_options(CLI::App& command, Options& options);
+/// Adds the options of the subcommands that solve: which solver, and what is held fixed.
+void add_solver_options(CLI::App& command, Options& options);
 /// Adds the options of the subcommands that look for solutions.
 void add_search_options(CLI::App& command, Options& options);
 

@@ -50,6 +50,9 @@ ExitStatus status_of(const Options& options, const std::function<ExitStatus()>& 
                     "with the script.\n",
                     error.what()));
     return kError;
+  } catch (const UnmatchedPin& error) {
+    tell(fmt::format("error: {}\n", error.what()));
+    return kUsage;
   } catch (const std::exception& error) {  // FileError, SceneError: files that cannot be read or written
     tell(fmt::format("error: {}\n", error.what()));
     return kError;

@@ -1,5 +1,6 @@
 #include "app/session.h"
 
+#include "app/pin_options.h"
 #include "app/report.h"
 #include "app/signals.h"
 
@@ -31,6 +32,7 @@ Session::Session(const Options& options) : options_(options) {
     report(error, program_.sources);
     throw Reported{kUsage};
   }
+  pins_ = read_pins(options);
 }
 
 TracingOptions Session::tracing_options() const {
@@ -39,6 +41,8 @@ TracingOptions Session::tracing_options() const {
   tracing.seed = options_.seed;
   tracing.backend = options_.backend;
   tracing.diverse = !options_.all;
+  tracing.relax = options_.relax;
+  tracing.pins = pins_;
   tracing.limits.max_steps = options_.max_steps;
   tracing.limits.max_depth = options_.max_depth;
   tracing.limits.stop = &stop_signal();

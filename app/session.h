@@ -10,7 +10,7 @@ namespace solitaire {
 /// A script that is loaded, with its params set: what every subcommand starts from.
 class Session {
  public:
-  /// Throws Reported after it told of the program's mistakes.
+  /// Throws Reported after it told of what is wrong with the program or its pins, and FileError.
   explicit Session(const Options& options);
 
   const Program& program() const { return program_; }
@@ -23,6 +23,7 @@ class Session {
   const Options& options_;
   Program program_;
   ParamValues params_;
+  std::vector<Pin> pins_;
 };
 
 /// The folder with std/ and assets/.

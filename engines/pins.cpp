@@ -34,4 +34,17 @@ std::vector<const Pin*> Pins::unmatched(const std::vector<AddressId>& addresses)
   return unmatched;
 }
 
+std::vector<PinnedChoice> pinned_choices(Graph& graph, const Trace& trace, Pins& pins) {
+  std::vector<PinnedChoice> pinned;
+  if (pins.empty()) return pinned;
+  for (const TraceChoice& choice : trace.choices) {
+    for (const Pin* pin : pins.at(choice.address)) {
+      const NodeId equal = graph.apply(Op::kEqInt, {choice.variable, graph.constant(pin->value)});
+      const NodeId wanted = pin->forbidden ? graph.negation(equal) : equal;
+      pinned.push_back({pin, &choice, graph.implication(choice.guard, wanted)});
+    }
+  }
+  return pinned;
+}
+
 }  // namespace solitaire

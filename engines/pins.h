@@ -37,6 +37,14 @@ class Pins {
   std::unordered_map<AddressId, std::vector<const Pin*>> matches_;
 };
 
+/// What the pins require of the choices of a trace: a condition for each pin and choice that it matches.
+struct PinnedChoice {
+  const Pin* pin;
+  const TraceChoice* choice;
+  NodeId holds;
+};
+std::vector<PinnedChoice> pinned_choices(Graph& graph, const Trace& trace, Pins& pins);
+
 /// Answers choices with what they are pinned to, and leaves the others open.
 class PinnedChoices : public Choices {
  public:

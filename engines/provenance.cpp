@@ -1,30 +1,11 @@
 // Which choices decide where a placed thing stands and what it is: those in the cone of the nodes it depends
 // on.
-#include <unordered_set>
+#include <algorithm>
 
 #include "engines/tracing.h"
+#include "tracegraph/cone.h"
 
 namespace solitaire {
-namespace {
-
-/// The variables of all choices that the nodes depend on, in the order of their numbers.
-std::set<std::size_t> variables_below(const Graph& graph, const std::vector<NodeId>& nodes) {
-  std::set<std::size_t> variables;
-  std::unordered_set<NodeId> seen(nodes.begin(), nodes.end());
-  std::vector<NodeId> pending(seen.begin(), seen.end());
-  while (!pending.empty()) {
-    const Graph::Node& node = graph.node(pending.back());
-    pending.pop_back();
-    if (node.op == Op::kChoice) variables.insert(node.payload);
-    for (const NodeId operand : node.args()) {
-      if (seen.insert(operand).second) pending.push_back(operand);
-    }
-  }
-  return variables;
-}
-
-}  // namespace
-
 void TracingEngine::add_object_choices(Solution& solution) {
   std::unordered_map<std::string, Placement*> placements;
   for (Placement& placement : solution.execution.placements)

@@ -162,7 +162,9 @@ void TracingEngine::meet_pass() {
   if (met_pass_ == solver_.passes()) return;
   if (met_pass_ == 0) check_pins();
   met_pass_ = solver_.passes();
-  set_pins();
+  for (const PinnedChoice& pinned : pinned_choices(graph_, solver_.trace(), pins_)) {
+    if (pinned.holds != kTrue) solver_.add_clause({&pinned.holds, 1});
+  }
   if (!options_.relax) report_reachable_mistakes();
   try {
     objective_ = objective_of(graph_, solver_.trace(), options_.relax);
@@ -203,24 +205,6 @@ void TracingEngine::check_pins() {
                                      : fmt::format("{}: no choice has such an address; the nearest {} {}",
                                                    wrong.front()->source, nearest.size() == 1 ? "is" : "are",
                                                    fmt::join(nearest, ", ")));
-}
-
-/// What the pins require of a choice.
-std::vector<NodeId> TracingEngine::pinned_at(const TraceChoice& choice) {
-  std::vector<NodeId> required;
-  for (const Pin* pin : pins_.at(choice.address)) {
-    const NodeId equal = graph_.apply(Op::kEqInt, {choice.variable, graph_.constant(pin->value)});
-    required.push_back(graph_.implication(choice.guard, pin->forbidden ? graph_.negation(equal) : equal));
-  }
-  std::erase(required, kTrue);
-  return required;
-}
-
-void TracingEngine::set_pins() {
-  if (pins_.empty()) return;
-  for (const TraceChoice& choice : solver_.trace().choices) {
-    for (const NodeId required : pinned_at(choice)) solver_.add_clause({&required, 1});
-  }
 }
 
 /// A mistake that some execution makes is the program's error, whether or not other executions are solutions.
@@ -292,9 +276,7 @@ std::vector<NodeId> TracingEngine::formula() {
   for (const TraceAssert& required : trace.asserts) {
     if (firm(required)) conditions.push_back(graph_.implication(required.guard, required.condition));
   }
-  for (const TraceChoice& choice : trace.choices) {
-    for (const NodeId pinned : pinned_at(choice)) conditions.push_back(pinned);
-  }
+  for (const PinnedChoice& pinned : pinned_choices(graph_, trace, pins_)) conditions.push_back(pinned.holds);
   for (const TraceBlocker& blocker : trace.blockers) conditions.push_back(graph_.negation(blocker.guard));
   for (const TraceMistake& mistake : trace.mistakes) conditions.push_back(graph_.negation(mistake.guard));
   for (const Known& known : known_) {

@@ -62,8 +62,6 @@ class TracingEngine : public Engine {
   void check_pins();
   void report_reachable_mistakes();
   void exclude_known(Known& known);
-  std::vector<NodeId> pinned_at(const TraceChoice& choice);
-  void set_pins();
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
   void improve(Found& best);

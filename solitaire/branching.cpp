@@ -158,9 +158,10 @@ void Evaluator::end_path() {
   throw PathEnd{};
 }
 
-void Evaluator::reject(Requirement requirement, Span span, const std::string& message) {
+void Evaluator::reject(Requirement requirement, Span span, const std::string& message,
+                       std::optional<AddressId> at) {
   if (isolated_ == 0) {
-    const AddressId address = address_of(label_of(requirement));
+    const AddressId address = at ? *at : address_of(label_of(requirement));
     if (symbolic()) {
       recorder_->add(TraceAssert{path_.guard(), kFalse, requirement, address, span, span, message});
     } else {
@@ -170,17 +171,18 @@ void Evaluator::reject(Requirement requirement, Span span, const std::string& me
   end_path();
 }
 
-void Evaluator::require(NodeId condition, Requirement requirement, Span span, const std::string& message) {
+void Evaluator::require(NodeId condition, Requirement requirement, Span span, const std::string& message,
+                        std::optional<AddressId> at) {
   condition = settle(condition);
   if (condition == kTrue) return;
+  const AddressId address = at ? *at : address_of(label_of(requirement));
   if (limits_.keep_going && can_be_broken(requirement)) {
-    return note(condition, requirement, span, span, message);
+    return note(condition, requirement, span, span, message, address);
   }
-  if (condition == kFalse) reject(requirement, span, message);
+  if (condition == kFalse) reject(requirement, span, message, address);
   check_condition(condition, span);
   if (isolated_ == 0) {
-    recorder_->add(TraceAssert{path_.guard(), condition, requirement, address_of(label_of(requirement)), span,
-                               span, message});
+    recorder_->add(TraceAssert{path_.guard(), condition, requirement, address, span, span, message});
   }
   if (limits_.keep_going) {  // nothing says that it holds, but executions in which it does not end here
     ++path_.losses.ends;
@@ -191,15 +193,13 @@ void Evaluator::require(NodeId condition, Requirement requirement, Span span, co
 
 /// Executions on this path for which the condition fails have broken it, and go on.
 void Evaluator::note(NodeId condition, Requirement requirement, Span span, Span whole,
-                     const std::string& message) {
+                     const std::string& message, AddressId at) {
   condition = settle(condition);
-  if (condition == kTrue) return;
-  const AddressId address = address_of(label_of(requirement));
   if (symbolic()) {
     check_condition(condition, span);
-    recorder_->add(TraceAssert{path_.guard(), condition, requirement, address, span, whole, message});
-  } else {
-    execution_.broken.push_back({requirement, span, whole, text(address), message});
+    recorder_->add(TraceAssert{path_.guard(), condition, requirement, at, span, whole, message});
+  } else if (condition == kFalse) {
+    execution_.broken.push_back({requirement, span, whole, text(at), message});
   }
 }
 

@@ -58,10 +58,10 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
     domain.lo = graph_.node(node_of(graph_, lo)).interval.lo;
     domain.hi = graph_.node(node_of(graph_, hi)).interval.hi;
   }
-  if (domain.lo > domain.hi) reject(Requirement::kNotEmpty, site.span);
+  const AddressId address = address_of(site.site.label);
+  if (domain.lo > domain.hi) reject(Requirement::kNotEmpty, site.span, "", address);
   domain.hi -= (domain.hi - domain.lo) % domain.step;
 
-  const AddressId address = address_of(site.site.label);
   const auto answer = choices_.answer(address, domain);
   if (!answer && !symbolic()) throw std::logic_error("no answer for the choice " + text(address));
   const ChoiceDomain possible = answer ? domain : choices_.widened(address, domain);
@@ -72,14 +72,15 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   if (known && answer && holds(domain, *answer)) return *answer;  // as in nearly every execution
   if (!known || answer || possible != domain) {
     const NodeId first = node_of(graph_, lo);
-    require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kLowEnd, site.span);
-    require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), Requirement::kHighEnd, site.span);
+    require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kLowEnd, site.span, "", address);
+    require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), Requirement::kHighEnd, site.span, "",
+            address);
   }
   if (!step.identical(domain.step) || answer) {
     const NodeId offset = apply(Op::kSub, {variable, node_of(graph_, lo)}, site.span);
     const NodeId rest = apply(Op::kMod, {offset, node_of(graph_, step)}, site.span);
-    require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kStep,
-            site.span);
+    require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kStep, site.span,
+            "", address);
   }
   return value_of(graph_, variable);
 }

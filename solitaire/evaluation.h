@@ -70,9 +70,12 @@ class Evaluator {
   /// The path ends here without a reason of its own: everything below it ended.
   [[noreturn]] void end_path();
   /// Every execution on this path is ruled out.
-  [[noreturn]] void reject(Requirement requirement, Span span, const std::string& message = "");
-  /// Executions on this path for which the condition fails are ruled out.
-  void require(NodeId condition, Requirement requirement, Span span, const std::string& message = "");
+  [[noreturn]] void reject(Requirement requirement, Span span, const std::string& message = "",
+                           std::optional<AddressId> at = std::nullopt);
+  /// Executions on this path for which the condition fails are ruled out. `at`: of the choice, if it is about
+  /// one.
+  void require(NodeId condition, Requirement requirement, Span span, const std::string& message = "",
+               std::optional<AddressId> at = std::nullopt);
   /// The program is wrong on this path.
   [[noreturn]] void mistake(Span span, const std::string& message, const std::string& help = "");
   /// The program is wrong for those executions on this path for which the condition, a bool, holds. If that
@@ -178,7 +181,8 @@ class Evaluator {
   /// The condition, or kTrue or kFalse if the path settles it.
   NodeId settle(NodeId condition) const;
   void check_condition(NodeId condition, Span span);
-  void note(NodeId condition, Requirement requirement, Span span, Span whole, const std::string& message);
+  void note(NodeId condition, Requirement requirement, Span span, Span whole, const std::string& message,
+            AddressId at);
   NodeId truth_of(const Expr& condition);
   void add_exit(Exits& exits, NodeId guard, std::span<const Slot> slots, Value value);
   void resume(Exits& exits, std::span<const Slot> slots);

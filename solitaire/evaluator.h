@@ -28,6 +28,8 @@ enum class StopReason : std::uint8_t {
 class StopSignal {
  public:
   using Clock = std::chrono::steady_clock;
+  /// Stops when `whole` does, too: for a part of some work.
+  explicit StopSignal(const StopSignal* whole = nullptr) : whole_(whole) {}
   /// The first reason stays. Signal handlers may call this.
   void request(StopReason reason = StopReason::kInterrupt) {
     StopReason none = StopReason::kNone;
@@ -36,14 +38,16 @@ class StopSignal {
   void set_deadline(Clock::time_point deadline) { deadline_ = deadline; }
   StopReason reason() const {
     const StopReason requested = requested_.load(std::memory_order_relaxed);
-    const bool late = requested == StopReason::kNone && deadline_ && Clock::now() >= *deadline_;
-    return late ? StopReason::kTime : requested;
+    if (requested != StopReason::kNone) return requested;
+    if (deadline_ && Clock::now() >= *deadline_) return StopReason::kTime;
+    return whole_ != nullptr ? whole_->reason() : StopReason::kNone;
   }
   bool stopped() const { return reason() != StopReason::kNone; }
 
  private:
   std::atomic<StopReason> requested_ = StopReason::kNone;
   std::optional<Clock::time_point> deadline_;
+  const StopSignal* whole_;
 };
 
 /// What bounds an evaluation.

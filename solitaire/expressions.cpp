@@ -175,7 +175,7 @@ void Evaluator::assert_conjuncts(const Expr& condition, Span whole, const std::s
       return assert_conjuncts(*logical.right, whole, message);
     }
   }
-  note(truth_of(condition), Requirement::kAssert, condition.span, whole, message);
+  note(truth_of(condition), Requirement::kAssert, condition.span, whole, message, address_of("assert"));
 }
 
 Value Evaluator::call(const CallExpr& node) {

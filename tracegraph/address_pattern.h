@@ -13,6 +13,7 @@ class AddressPattern {
   explicit AddressPattern(std::string text);
 
   const std::string& text() const { return text_; }
+  const std::vector<std::string>& steps() const { return steps_; }
   /// `steps` as of AddressTable::steps.
   bool matches(const std::vector<std::string>& steps) const;
 

@@ -1,0 +1,42 @@
+#include "engines/conditions.h"
+
+#include <map>
+
+namespace solitaire {
+namespace {
+
+bool is_end(Requirement requirement) {
+  return requirement == Requirement::kLowEnd || requirement == Requirement::kHighEnd ||
+         requirement == Requirement::kStep;
+}
+
+}  // namespace
+
+std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pins& pins) {
+  std::map<Condition, TracedCondition> conditions;
+  // The same condition is met on several paths where exclusive branches share an address.
+  const auto add = [&](Condition condition, NodeId guard, NodeId holds) {
+    TracedCondition& traced = conditions.try_emplace(condition).first->second;
+    traced.condition = std::move(condition);
+    traced.holds = graph.conjunction(traced.holds, holds);
+    traced.met = graph.disjunction(traced.met, guard);
+  };
+  std::map<AddressId, ChoiceDomain> domains;
+  for (const TraceChoice& choice : trace.choices) domains.emplace(choice.address, choice.domain);
+
+  for (const TraceAssert& each : trace.asserts) {
+    Condition condition{each.requirement, each.address, each.span, each.whole, each.message, nullptr, {}};
+    if (is_end(each.requirement)) condition.domain = domains[each.address];
+    add(std::move(condition), each.guard, graph.implication(each.guard, each.condition));
+  }
+  for (const PinnedChoice& pinned : pinned_choices(graph, trace, pins)) {
+    const TraceChoice& choice = *pinned.choice;
+    add({{}, choice.address, choice.span, choice.span, "", pinned.pin, choice.domain}, choice.guard,
+        pinned.holds);
+  }
+  std::vector<TracedCondition> list;
+  for (auto& [key, traced] : conditions) list.push_back(std::move(traced));
+  return list;
+}
+
+}  // namespace solitaire
