@@ -4,6 +4,7 @@
 #include "app/console.h"
 #include "app/report.h"
 #include "app/session.h"
+#include "app/signals.h"
 
 namespace solitaire {
 namespace {
@@ -23,12 +24,20 @@ ExitStatus check(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   TracingEngine engine(session.program(), session.params(), session.tracing_options());
   const auto end_at_limit = [&] {
-    tell(fmt::format("{}: {}; not all mistakes were looked for\n", options.script, limit_text(options)));
+    const std::string why =
+        stop_signal().stopped() ? limit_text(options) : "--explore random:N leaves paths out";
+    tell(fmt::format("{}: {}; not all mistakes were looked for\n", options.script, why));
     return kLimit;
   };
   const Watchdog::AtLimit at_limit(watchdog, end_at_limit);
   try {
-    const bool complete = engine.check_mistakes();
+    bool complete = true;
+    if (options.deep) {
+      const std::vector<Diagnostic> mistakes = engine.find_mistakes(&complete);
+      if (!mistakes.empty()) throw ProgramError(mistakes);
+    } else {
+      complete = engine.check_mistakes();
+    }
     const auto lock = watchdog.delivering();
     if (!complete) return watchdog.conclude(end_at_limit());
     if (!options.quiet) tell(fmt::format("{}: {}\n", options.script, summary(engine)));

@@ -2,6 +2,8 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/earlier_run.h"
+#include "app/marking.h"
 #include "app/search.h"
 #include "app/solution_json.h"
 #include "scene/assets.h"
@@ -41,23 +43,31 @@ class Output {
     }
   }
 
-  void add(std::uint64_t number, const Solution& solution, const TracingEngine& engine) {
-    const std::string name = fmt::format("{}-{:04}", session_.name(), number);
-    GalleryEntry entry;
-    entry.index = number;
-    entry.name = name;
-    entry.json = name + ".json";
-    entry.choices = solution.choices.size();
-    if (!solution.execution.placements.empty()) {
-      const Scene scene = build_scene(solution.execution.placements, solution.execution.unit, name, assets_);
-      entry.glb = name + ".glb";
-      entry.plan = svg_plan(scene);
-      write_glb(scene, options_.output / entry.glb);
-    }
-    if (!solution.execution.value.is<Value::Nil>())
-      entry.value = shortened(to_text(solution.execution.value));
-    write_file_atomically(options_.output / entry.json, json(name, number, solution, engine));
+  /// Writes a solution's files.
+  void add(std::uint64_t number, const Solution& solution, const TracingTimes& times) {
+    GalleryEntry entry = entry_of(number, solution);
+    if (const auto scene = scene_of(entry, solution)) write_glb(*scene, options_.output / entry.glb);
+    // The last of the files: where it is, the others are.
+    write_file_atomically(options_.output / entry.json, json(entry.name, number, solution, times));
     entries_.push_back(std::move(entry));
+  }
+
+  /// Takes up a solution whose files are there.
+  void add_earlier(std::uint64_t number, const Solution& solution) {
+    GalleryEntry entry = entry_of(number, solution);
+    scene_of(entry, solution);
+    entries_.push_back(std::move(entry));
+  }
+
+  /// What the .json files of this run have in common.
+  nlohmann::ordered_json run() const {
+    nlohmann::ordered_json run{{"program", std::filesystem::path(options_.script).filename().string()},
+                               {"params", nlohmann::ordered_json::object()},
+                               {"seed", options_.seed},
+                               {"engine", engine_name(options_.backend)}};
+    for (const auto& [param, value] : session_.params())
+      run["params"][param] = nlohmann::ordered_json::parse(to_json(value));
+    return run;
   }
 
   void close() const {
@@ -68,6 +78,30 @@ class Output {
   }
 
  private:
+  GalleryEntry entry_of(std::uint64_t number, const Solution& solution) const {
+    GalleryEntry entry;
+    entry.index = number;
+    entry.name = fmt::format("{}-{:04}", session_.name(), number);
+    entry.json = entry.name + ".json";
+    entry.choices = solution.choices.size();
+    if (!solution.execution.value.is<Value::Nil>())
+      entry.value = shortened(to_text(solution.execution.value));
+    entry.remarks.push_back(quality_text(solution));
+    for (const Rejection& broken : solution.execution.broken)
+      entry.remarks.push_back("broken: " + broken_text(broken, session_.program().sources));
+    return entry;
+  }
+
+  /// The solution's scene, nothing if it places nothing; its plan goes into the entry.
+  std::optional<Scene> scene_of(GalleryEntry& entry, const Solution& solution) {
+    if (solution.execution.placements.empty()) return std::nullopt;
+    entry.glb = entry.name + ".glb";
+    Scene scene = build_scene(marked_placements(solution, session_.program().sources),
+                              solution.execution.unit, entry.name, assets_);
+    entry.plan = svg_plan(scene);
+    return scene;
+  }
+
   std::string gallery() const {
     GalleryInfo info{session_.name(),
                      std::filesystem::path(options_.script).filename().string(),
@@ -81,18 +115,11 @@ class Output {
   }
 
   std::string json(const std::string& name, std::uint64_t number, const Solution& solution,
-                   const TracingEngine& engine) const {
-    nlohmann::ordered_json file{{"name", name},
-                                {"index", number},
-                                {"program", std::filesystem::path(options_.script).filename().string()},
-                                {"params", nlohmann::ordered_json::object()},
-                                {"seed", options_.seed},
-                                {"engine", engine_name(options_.backend)}};
-    for (const auto& [param, value] : session_.params())
-      file["params"][param] = nlohmann::ordered_json::parse(to_json(value));
-    file.update(solution_json(solution, engine.addresses()));
+                   const TracingTimes& times) const {
+    nlohmann::ordered_json file{{"name", name}, {"index", number}};
+    file.update(run());
+    file.update(solution_json(solution, session_.program().sources));
     if (options_.timings) {
-      const TracingTimes& times = engine.times();
       file["timings"] = {{"explore", times.explore},
                          {"encode", times.encode},
                          {"solve", times.solve},
@@ -113,12 +140,24 @@ ExitStatus generate(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   Search search(session, options, watchdog);
   Output output(session, options);
+  if (options.resume) {
+    try {
+      search.resume(
+          read_earlier_run(options.output, session.name(), output.run()),
+          [&](std::uint64_t number, const Solution& solution) { output.add_earlier(number, solution); });
+    } catch (const NotASolution& error) {
+      throw FileError(options.output.string(),
+                      fmt::format("{}; has the program changed? Generate into another "
+                                  "folder",
+                                  error.what()));
+    }
+  }
   return search.run(
       [&](std::uint64_t number, const Solution& solution) {
-        output.add(number, solution, search.engine());
+        output.add(number, solution, search.engine().times());
         if (!options.json) return;
         nlohmann::ordered_json line{{"index", number}};
-        line.update(solution_json(solution, search.engine().addresses()));
+        line.update(solution_json(solution, session.program().sources));
         print_result(json_text(line) + "\n");
       },
       [&] { output.close(); });

@@ -44,6 +44,8 @@ int run_command_line(int argc, char** argv) {
   add_search_options(*generating, generate_options);
   generating->add_option("-o,--output", generate_options.output, "the folder to write to (default out)");
   generating->add_flag("--json", generate_options.json, "also print solutions, a JSON object a line");
+  generating->add_flag("--resume", generate_options.resume,
+                       "go on with the run that left its solutions in the folder, without repeating any");
   generating->add_flag("--timings", generate_options.timings,
                        "keep the times in the .json files, which then differ from run to run");
 
@@ -56,6 +58,8 @@ int run_command_line(int argc, char** argv) {
   Options check_options;
   CLI::App* checking = app.add_subcommand("check", "look for mistakes in a program");
   add_program_options(*checking, check_options);
+  checking->add_flag("--deep", check_options.deep,
+                     "look into every path for mistakes that only some choices lead to, and say which");
 
   Options explain_options;
   CLI::App* explaining = app.add_subcommand(

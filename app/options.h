@@ -33,6 +33,8 @@ struct Options {
   std::filesystem::path output = "out";
   bool json = false;
   bool timings = false;
+  bool resume = false;
+  bool deep = false;
   bool quiet = false;
   std::optional<double> timeout;       // seconds, for the whole run
   std::optional<double> per_solution;  // seconds, for one further solution

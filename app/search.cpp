@@ -3,27 +3,18 @@
 #include <fmt/format.h>
 
 #include "app/console.h"
+#include "app/explanation.h"
 #include "app/report.h"
 
 namespace solitaire {
 namespace {
 
-std::string reason(Requirement requirement) {
-  switch (requirement) {
-    case Requirement::kAssert:
-      return "the assert fails";
-    case Requirement::kLowEnd:
-    case Requirement::kHighEnd:
-    case Requirement::kStep:
-      return "the choice has no value within its range";
-    case Requirement::kNotEmpty:
-      return "there is nothing to choose from";
-    case Requirement::kIndex:
-      return "the list has no such element";
-    case Requirement::kDivisor:
-      return "the divisor is zero";
-  }
-  return "";
+/// How long to look for a reason after a search that found nothing, in seconds: as long as the search took,
+/// and no less than this.
+constexpr double kTimeForReason = 3;
+
+double seconds_since(StopSignal::Clock::time_point start) {
+  return std::chrono::duration<double>(StopSignal::Clock::now() - start).count();
 }
 
 }  // namespace
@@ -32,21 +23,31 @@ Search::Search(const Session& session, const Options& options, Watchdog& watchdo
     : session_(session),
       options_(options),
       watchdog_(watchdog),
-      engine_(session.program(), session.params(), session.tracing_options()) {}
+      series_(session.program(), session.params(), session.tracing_options(),
+              {options.distinct == Distinct::kResult, !options.all}) {}
+
+void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen) {
+  for (const Solution& solution : series_.resume(earlier)) seen(++solutions_, solution);
+  resumed_ = solutions_;
+}
 
 ExitStatus Search::run(const Found& found, const Close& close) {
   Progress progress(!options_.quiet, options_.all ? 0 : options_.count);
   const Watchdog::AtLimit at_limit(watchdog_, [&] {
     progress.end();
-    // The best solution so far of a search for the best would be handed to `found` here, as it was when it
-    // was found: the engine goes on meanwhile and must not be asked.
+    if (best_so_far_) deliver(Solution(*best_so_far_), found, progress);
     return finish(Ending::kStopped, close);
   });
   try {
     const Ending ending = deliver_all(found, progress);
-    const auto lock = watchdog_.delivering();
-    progress.end();
-    return watchdog_.conclude(finish(ending, close));
+    ExitStatus status = kDelivered;
+    {
+      const auto lock = watchdog_.delivering();
+      progress.end();
+      status = watchdog_.conclude(finish(ending, close));
+    }
+    if (ending == Ending::kExhausted && solutions_ == 0 && !options_.quiet) explain();
+    return status;
   } catch (const ProgramError& error) {
     const auto lock = watchdog_.delivering();
     progress.end();
@@ -67,34 +68,47 @@ ExitStatus Search::run(const Found& found, const Close& close) {
 /// Why there is no further solution.
 Ending Search::deliver_all(const Found& found, Progress& progress) {
   try {
+    if (options_.relax) check_mistakes();
     while (wants_more()) {
-      const std::optional<Solution> solution = next_different(progress);
-      if (!solution) return engine_.ending();
+      const std::optional<Solution> solution = next(progress);
+      if (!solution) return series_.ending();
       const auto lock = watchdog_.delivering();
-      for (const std::string& line : solution->execution.printed) progress.say(line);
-      found(solutions_ + 1, *solution);
-      ++solutions_;
+      deliver(*solution, found, progress);
     }
     return Ending::kNone;
   } catch (const Interrupted&) {
     return Ending::kStopped;
   } catch (const std::bad_alloc&) {
-    reserve_.reset();
     stop_signal().request(StopReason::kOutOfMemory);
     return Ending::kStopped;
   }
 }
 
-std::optional<Solution> Search::next_different(Progress& progress) {
-  const Watchdog::SolutionTime time(watchdog_);
-  engine_.explore();  // which is part of the search for the first
-  progress.update(solutions_, engine_.graph().size());
-  while (true) {
-    std::optional<Solution> solution = engine_.next();
-    if (!solution || options_.distinct != Distinct::kResult || results_.add(solution->execution))
-      return solution;
-    ++alike_;
-  }
+/// Executions that break asserts may come to mistakes that are none; the others may not.
+void Search::check_mistakes() {
+  TracingOptions tracing = session_.tracing_options();
+  tracing.relax = false;
+  TracingEngine(session_.program(), session_.params(), tracing).check_mistakes();
+}
+
+void Search::deliver(const Solution& solution, const Found& found, Progress& progress) {
+  best_so_far_.reset();
+  for (const std::string& line : solution.execution.printed) progress.say(line);
+  found(solutions_ + 1, solution);
+  ++solutions_;
+}
+
+std::optional<Solution> Search::next(Progress& progress) {
+  Watchdog::SolutionTime time(watchdog_);
+  // A search for the best that has found something ends in good order; see TracingOptions::improvement_time.
+  series_.on_improvement([&](const Solution& solution) {
+    const auto lock = watchdog_.delivering();
+    best_so_far_ = solution;
+    time.extend();
+  });
+  series_.explore();
+  progress.update(solutions_, series_.engine().graph().size());
+  return series_.next();
 }
 
 ExitStatus Search::finish(Ending ending, const Close& close) const {
@@ -116,22 +130,28 @@ ExitStatus Search::status(Ending ending) const {
   return kError;
 }
 
-/// Where every execution ends, if there is such a place: then it alone is why there is no solution.
-void Search::explain_dead_end() const {
-  for (const TraceAssert& required : engine_.pass().trace.asserts) {
-    if (required.guard != kTrue || required.condition != kFalse) continue;
-    const std::string what = required.message.empty() ? reason(required.requirement) : required.message;
-    const Diagnostic place{required.span, "every execution is ruled out here: " + what, "", {}};
-    tell(format(place, session_.program().sources, "note"));
-    return;
+/// Says why there is no solution, if that can be found out soon.
+void Search::explain() const {
+  const double seconds = std::max(kTimeForReason, seconds_since(start_));
+  StopSignal stop(&stop_signal());
+  stop.set_deadline(StopSignal::Clock::now() + std::chrono::milliseconds(static_cast<long>(1000 * seconds)));
+  TracingOptions tracing = session_.tracing_options();
+  tracing.limits.stop = &stop;
+  Explainer explainer(session_.program(), session_.params(), tracing);
+  const std::optional<Conflict> conflict = explainer.next_conflict();
+  const auto lock = watchdog_.delivering();
+  if (conflict) {
+    tell(conflict_text(*conflict, {session_.program().sources, explainer.addresses()}));
+  } else {
+    tell(fmt::format("'solitaire explain {}' looks for the reason\n", options_.script));
   }
 }
 
 void Search::summarize(Ending ending) const {
-  const double seconds = std::chrono::duration<double>(StopSignal::Clock::now() - start_).count();
   std::string text =
-      fmt::format("{} solution{} in {:.2f} s", solutions_, solutions_ == 1 ? "" : "s", seconds);
-  if (alike_ > 0) text += fmt::format(", not counting {} that look like others", alike_.load());
+      fmt::format("{} solution{}{} in {:.2f} s", solutions_, solutions_ == 1 ? "" : "s",
+                  resumed_ > 0 ? fmt::format(" ({} of them earlier)", resumed_) : "", seconds_since(start_));
+  if (series_.alike() > 0) text += fmt::format(", not counting {} that look like others", series_.alike());
   switch (ending) {
     case Ending::kNone:
       break;
@@ -148,7 +168,6 @@ void Search::summarize(Ending ending) const {
       break;
   }
   tell(text + "\n");
-  if (ending == Ending::kExhausted && solutions_ == 0) explain_dead_end();
 }
 
 }  // namespace solitaire

@@ -4,7 +4,7 @@
 #include "app/progress.h"
 #include "app/session.h"
 #include "app/watchdog.h"
-#include "engines/distinct.h"
+#include "engines/series.h"
 
 namespace solitaire {
 
@@ -23,24 +23,30 @@ class Search {
   ExitStatus run(
       const Found& found, const Close& close = [] {});
 
-  const TracingEngine& engine() const { return engine_; }
+  /// Goes on after solutions that an earlier run delivered; they are run again and handed to `seen`. Throws
+  /// NotASolution.
+  void resume(const std::vector<KnownChoices>& earlier, const Found& seen);
+
+  const TracingEngine& engine() const { return series_.engine(); }
 
  private:
   bool wants_more() const { return options_.all || solutions_ < options_.count; }
   Ending deliver_all(const Found& found, Progress& progress);
-  std::optional<Solution> next_different(Progress& progress);
+  std::optional<Solution> next(Progress& progress);
+  void deliver(const Solution& solution, const Found& found, Progress& progress);
   ExitStatus finish(Ending ending, const Close& close) const;
   ExitStatus status(Ending ending) const;
   void summarize(Ending ending) const;
-  void explain_dead_end() const;
+  void check_mistakes();
+  void explain() const;
 
   const Session& session_;
   const Options& options_;
   Watchdog& watchdog_;
-  TracingEngine engine_;
-  DistinctResults results_;
-  std::uint64_t solutions_ = 0;           // delivered; changes only while delivering
-  std::atomic<std::uint64_t> alike_ = 0;  // solutions that looked like earlier ones
+  Series series_;
+  std::uint64_t resumed_ = 0;            // solutions of earlier runs
+  std::uint64_t solutions_ = 0;          // with those of earlier runs; changes only while delivering
+  std::optional<Solution> best_so_far_;  // of the search that goes on; changes only while delivering
   /// Given back where there is no more memory, for what is to be done then. It is not touched, so it takes
   /// none from the machine.
   std::unique_ptr<std::byte[]> reserve_ = std::make_unique_for_overwrite<std::byte[]>(std::size_t{32} << 20);

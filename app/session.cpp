@@ -42,6 +42,7 @@ TracingOptions Session::tracing_options() const {
   tracing.backend = options_.backend;
   tracing.diverse = !options_.all;
   tracing.relax = options_.relax;
+  tracing.improvement_time = options_.per_solution;
   tracing.pins = pins_;
   tracing.limits.max_steps = options_.max_steps;
   tracing.limits.max_depth = options_.max_depth;

@@ -1,21 +1,68 @@
 #include "app/solution_json.h"
 
+#include <filesystem>
+#include <fmt/format.h>
+
 namespace solitaire {
+namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json solution_json(const Solution& solution, const AddressTable& addresses) {
+/// "file.sol:3:8", without the folder, so that files do not depend on where the program stands.
+std::string place(Span span, const SourceSet& sources) {
+  return std::filesystem::path(sources.place(span)).filename().string();
+}
+
+Json broken_json(const Solution& solution, const SourceSet& sources) {
+  Json list = Json::array();
+  for (const Rejection& broken : solution.execution.broken) {
+    Json entry{{"at", broken.address},
+               {"source", place(broken.span, sources)},
+               {"condition", sources.text(broken.span)}};
+    if (!broken.message.empty()) entry["message"] = broken.message;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
+
+Json solution_json(const Solution& solution, const SourceSet& sources) {
   Json choices = Json::array();
-  for (const AnsweredChoice& choice : readable(solution.choices, addresses)) {
+  for (const AnsweredChoice& choice : solution.answers) {
     Json value = choice.value;
     if (choice.kind == ChoiceKind::kBool) value = choice.value != 0;
     choices.push_back({{"at", choice.address}, {"value", value}});
   }
-  return {{"value", Json::parse(to_json(solution.execution.value))}, {"choices", choices}};
+  Json json{{"value", Json::parse(to_json(solution.execution.value))}};
+  if (solution.quality) {
+    json["cost"] = solution.quality->cost;
+    json["optimal"] = solution.quality->proved;
+    json["broken"] = broken_json(solution, sources);
+  }
+  json["choices"] = std::move(choices);
+  return json;
 }
 
 std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string quality_text(const Solution& solution) {
+  if (!solution.quality) return "";
+  const Quality& quality = *solution.quality;
+  std::string text;
+  if (quality.broken > 0)
+    text = fmt::format("{} assert{} broken, ", quality.broken, quality.broken == 1 ? "" : "s");
+  return text + fmt::format("cost {}, {}", quality.cost,
+                            quality.proved ? "proved the best left" : "not proved the best left");
+}
+
+std::string broken_text(const Rejection& broken, const SourceSet& sources) {
+  std::string text =
+      fmt::format("{}: {} (at {})", place(broken.span, sources), sources.text(broken.span), broken.address);
+  if (!broken.message.empty()) text += ": " + broken.message;
+  return text;
 }
 
 }  // namespace solitaire

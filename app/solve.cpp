@@ -8,15 +8,18 @@
 namespace solitaire {
 namespace {
 
-std::string as_json(std::uint64_t number, const Solution& solution, const AddressTable& addresses) {
+std::string as_json(std::uint64_t number, const Solution& solution, const SourceSet& sources) {
   nlohmann::ordered_json line{{"index", number}};
-  line.update(solution_json(solution, addresses));
+  line.update(solution_json(solution, sources));
   return json_text(line) + "\n";
 }
 
-std::string as_text(std::uint64_t number, const Solution& solution, const AddressTable& addresses) {
+std::string as_text(std::uint64_t number, const Solution& solution, const SourceSet& sources) {
   std::string text = fmt::format("solution {}: {}\n", number, to_text(solution.execution.value));
-  for (const AnsweredChoice& choice : readable(solution.choices, addresses)) {
+  if (solution.quality) text += fmt::format("  {}\n", quality_text(solution));
+  for (const Rejection& broken : solution.execution.broken)
+    text += fmt::format("  broken: {}\n", broken_text(broken, sources));
+  for (const AnsweredChoice& choice : solution.answers) {
     if (choice.kind == ChoiceKind::kBool) {
       text += fmt::format("  {} = {}\n", choice.address, choice.value != 0);
     } else {
@@ -33,7 +36,7 @@ ExitStatus solve(const Options& options, Watchdog& watchdog) {
   Search search(session, options, watchdog);
   const auto shown = options.json ? as_json : as_text;
   return search.run([&](std::uint64_t number, const Solution& solution) {
-    print_result(shown(number, solution, search.engine().addresses()));
+    print_result(shown(number, solution, session.program().sources));
   });
 }
 

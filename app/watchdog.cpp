@@ -95,6 +95,13 @@ Watchdog::SolutionTime::SolutionTime(Watchdog& watchdog) : watchdog_(watchdog) {
   watchdog_.solution_deadline_ = after(watchdog_.options_.per_solution);
 }
 
+void Watchdog::SolutionTime::extend() {
+  const auto deadline = watchdog_.solution_deadline_.load();
+  if (extended_ || deadline == Clock::time_point::max()) return;
+  extended_ = true;
+  watchdog_.solution_deadline_ = deadline + kPatience;
+}
+
 Watchdog::SolutionTime::~SolutionTime() { watchdog_.solution_deadline_ = Clock::time_point::max(); }
 
 }  // namespace solitaire

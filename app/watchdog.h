@@ -57,9 +57,13 @@ class Watchdog {
     ~SolutionTime();
     SolutionTime(const SolutionTime&) = delete;
     SolutionTime& operator=(const SolutionTime&) = delete;
+    /// Something was found that only gets better, and the search ends by itself when the time is over: allows
+    /// for that.
+    void extend();
 
    private:
     Watchdog& watchdog_;
+    bool extended_ = false;
   };
 
  private:

@@ -18,6 +18,7 @@ struct Quality {
 /// the program does.
 struct Solution {
   std::vector<MetChoice> choices;
+  std::vector<AnsweredChoice> answers;  // the same in readable form
   Execution execution;
   std::optional<Quality> quality;
 };

@@ -21,6 +21,8 @@ struct TracingOptions {
   std::uint64_t seed = 0;
   bool diverse = true;  // solutions that differ much, at some cost in speed
   bool relax = false;   // asserts may be broken, as few as possible
+  /// Seconds from the start of the search for a solution after which it is no longer made better.
+  std::optional<double> improvement_time;
   std::vector<Pin> pins;
   Limits limits;  // of one execution; its stop signal ends the work
 };

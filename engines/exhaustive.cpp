@@ -35,8 +35,11 @@ std::optional<Solution> ExhaustiveEngine::next() {
       if (limits_.stop != nullptr && limits_.stop->stopped()) throw Interrupted{};
       Execution execution = execute(program_, params_, odometer_, addresses_, limits_);
       if (execution.rejection) continue;
-      std::vector<MetChoice> choices = execution.choices;
-      return Solution{std::move(choices), std::move(execution), {}};
+      Solution solution;
+      solution.choices = execution.choices;
+      solution.answers = readable(solution.choices, addresses_);
+      solution.execution = std::move(execution);
+      return solution;
     } catch (const Interrupted&) {
       ending_ = Ending::kStopped;
     }

@@ -1,11 +1,12 @@
-// Which choices decide where a placed thing stands and what it is: those in the cone of the nodes it depends
-// on.
+// Which choices decide where a placed thing stands and what it is, and whether an assert is broken: those in
+// the cone of the nodes that these depend on.
 #include <algorithm>
 
 #include "engines/tracing.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
+
 void TracingEngine::add_object_choices(Solution& solution) {
   std::unordered_map<std::string, Placement*> placements;
   for (Placement& placement : solution.execution.placements)
@@ -28,6 +29,19 @@ void TracingEngine::add_object_choices(Solution& solution) {
       if (!known)
         choices.push_back({addresses_.text(address), choice->second->domain.kind, choice->second->value});
     }
+  }
+}
+
+/// Of asserts that a solution breaks.
+void TracingEngine::add_broken_choices(Solution& solution) {
+  for (Rejection& broken : solution.execution.broken) {
+    std::set<std::string> choices;
+    for (const TraceAssert& part : solver_.trace().asserts) {
+      if (part.span != broken.span || addresses_.text(part.address) != broken.address) continue;
+      for (const std::size_t number : variables_below(graph_, {&part.condition, 1}))
+        choices.insert(addresses_.text(graph_.variables()[number].address));
+    }
+    broken.choices.assign(choices.begin(), choices.end());
   }
 }
 

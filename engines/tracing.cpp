@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "engines/objective.h"
+#include "tracegraph/cone.h"
 
 namespace solitaire {
 namespace {
@@ -55,6 +56,12 @@ ExecutionSolver::Firm firmness(bool relax) {
   };
 }
 
+TracingOptions for_solver(TracingOptions options, const StopSignal& stop) {
+  options.limits.stop = &stop;
+  options.limits.keep_going = options.relax;
+  return options;
+}
+
 std::size_t count_broken(const Execution& execution) {
   std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> broken;
   for (const Rejection& each : execution.broken) {
@@ -71,10 +78,11 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
       params_(std::move(params)),
       options_(options),
       limits_(options.limits),
+      solution_stop_(options.limits.stop),
       pins_(options.pins, addresses_),
       choices_(pins_),
-      solver_(program, params_, options, choices_, graph_, addresses_, firmness(options.relax),
-              known_solutions),
+      solver_(program, params_, for_solver(options, solution_stop_), choices_, graph_, addresses_,
+              firmness(options.relax), known_solutions),
       first_(known_solutions) {
   limits_.keep_going = options.relax;
 }
@@ -97,15 +105,22 @@ Ending TracingEngine::ending_of(Outcome outcome) {
 
 std::optional<Solution> TracingEngine::next() {
   if (ending_ != Ending::kNone) return std::nullopt;
+  const auto start = StopSignal::Clock::now();
+  try {
+    solver_.explore();
+  } catch (const Interrupted&) {
+    ending_ = Ending::kStopped;
+    return std::nullopt;
+  }
   if (options_.diverse) solver_.suggest_random_values(first_ + known_.size());
   std::optional<Found> best;
-  if (proved_ != INT64_MIN) best = attempt(proved_);  // one as good as the last
+  if (last_was_best_) best = attempt(proved_);  // perhaps there is another one as good
   if (!best && ending_ != Ending::kStopped) {
     ending_ = Ending::kNone;
     best = attempt(std::nullopt);
   }
   if (!best) return std::nullopt;
-  improve(*best);
+  improve(*best, start);
   Known known;
   for (const MetChoice& choice : best->solution.choices) known.values.emplace(choice.address, choice.value);
   exclude_known(known_.emplace_back(std::move(known)));
@@ -113,8 +128,15 @@ std::optional<Solution> TracingEngine::next() {
 }
 
 /// Makes the solution better until it is proved that no better one is left, or a limit comes.
-void TracingEngine::improve(Found& best) {
-  if (!best.solution.quality) return;
+void TracingEngine::improve(Found& best, StopSignal::Clock::time_point start) {
+  if (graph_.node(objective_).is_constant()) {
+    if (best.solution.quality) best.solution.quality->proved = true;
+    return;
+  }
+  if (options_.improvement_time) {
+    const std::chrono::duration<double> time(std::min(*options_.improvement_time, 1e8));
+    solution_stop_.set_deadline(start + std::chrono::duration_cast<StopSignal::Clock::duration>(time));
+  }
   proved_ = std::max(proved_, graph_.node(objective_).interval.lo);
   while (best.rank > proved_) {
     if (told_) told_(best.solution);
@@ -124,12 +146,13 @@ void TracingEngine::improve(Found& best) {
     } else if (ending_ == Ending::kExhausted) {
       proved_ = target + 1;
     } else {
-      ending_ = Ending::kNone;  // the next search will find that it has to end
-      return;
+      break;  // the next search will find whether it has to end
     }
-    ending_ = Ending::kNone;
   }
-  best.solution.quality->proved = true;
+  last_was_best_ = best.rank <= proved_;
+  best.solution.quality->proved = last_was_best_;
+  ending_ = Ending::kNone;
+  solution_stop_.set_deadline(StopSignal::Clock::time_point::max());
 }
 
 /// A solution of at most that rank; if there is none, ending_ says why.
@@ -219,10 +242,66 @@ void TracingEngine::report_reachable_mistakes() {
   const auto met = std::find_if(trace.mistakes.begin(), trace.mistakes.end(),
                                 [&](const TraceMistake& mistake) { return assignment.holds(mistake.guard); });
   if (met == trace.mistakes.end()) throw InternalError("a model that comes to a mistake comes to none");
-  // The replay throws what a concrete execution reports.
-  if (met->of_program && replay(solver_.answers()).rejection)
-    throw InternalError("an execution that should come to a mistake was ruled out");
-  throw ProgramError(Diagnostic{met->span, met->message, met->help, {}});
+  throw ProgramError(diagnose(*met));
+}
+
+/// A mistake that the solver's model comes to, as a concrete execution reports it.
+Diagnostic TracingEngine::diagnose(const TraceMistake& mistake) {
+  if (!mistake.of_program) return {mistake.span, mistake.message, mistake.help, {}};
+  try {
+    replay(solver_.answers());
+  } catch (const ProgramError& error) {
+    return error.diagnostics().front();
+  }
+  throw InternalError("an execution that should come to a mistake came to none");
+}
+
+std::vector<Diagnostic> TracingEngine::find_mistakes(bool* complete) {
+  std::vector<Diagnostic> diagnostics;
+  try {
+    *complete = solver_.explore_fully();
+  } catch (const Interrupted&) {
+    *complete = false;
+  }
+  const Trace& trace = solver_.trace();
+  std::vector<bool> told(trace.mistakes.size(), false);
+  while (true) {
+    const Outcome outcome = solver_.find_explored([&] {
+      NodeId any = kFalse;
+      for (std::size_t i = 0; i < told.size(); ++i) {
+        if (!told[i]) any = graph_.disjunction(any, trace.mistakes[i].guard);
+      }
+      return std::vector{any};
+    });
+    if (outcome != Outcome::kFound) {
+      *complete &= outcome == Outcome::kNone;
+      return diagnostics;
+    }
+    Assignment assignment = solver_.assignment();
+    std::size_t number = 0;
+    while (told[number] || !assignment.holds(trace.mistakes[number].guard)) ++number;
+    const TraceMistake& met = trace.mistakes[number];
+    diagnostics.push_back(diagnose(met));
+    diagnostics.back().notes.push_back(leading_choices(met, solver_.answers(assignment)));
+    for (std::size_t i = 0; i < told.size(); ++i) {  // the same mistake on other paths says nothing new
+      if (trace.mistakes[i].span == met.span && trace.mistakes[i].message == met.message) told[i] = true;
+    }
+  }
+}
+
+/// "where x = 3, f = true": the choices on which it depends whether an execution comes to the mistake.
+std::string TracingEngine::leading_choices(const TraceMistake& mistake, const Answers& answers) const {
+  std::vector<std::string> choices;
+  for (const std::size_t number : variables_below(graph_, {&mistake.guard, 1})) {
+    const ChoiceVariable& variable = graph_.variables()[number];
+    const auto answer = answers.find(variable.address);
+    if (answer == answers.end()) continue;
+    const std::int64_t value = answer->second.second;
+    choices.push_back(fmt::format(
+        "{} = {}", addresses_.text(variable.address),
+        variable.domain.kind == ChoiceKind::kBool ? (value != 0 ? "true" : "false") : fmt::to_string(value)));
+  }
+  return choices.empty() ? "whatever is chosen" : fmt::format("where {}", fmt::join(choices, ", "));
 }
 
 Execution TracingEngine::replay(const Answers& answers) {
@@ -247,10 +326,17 @@ TracingEngine::Found TracingEngine::take_solution() {
     throw InternalError(
         fmt::format("a model has {} choices, its replay {}", answers.size(), solution.choices.size()));
   }
-  if (options_.relax || !solver_.trace().wishes.empty())
-    solution.quality = Quality{count_broken(solution.execution), solution.execution.cost};
+  complete(solution);
   add_object_choices(solution);
+  add_broken_choices(solution);
   return found;
+}
+
+void TracingEngine::complete(Solution& solution) const {
+  solution.answers = readable(solution.choices, addresses_);
+  const Execution& execution = solution.execution;
+  if (options_.relax || !execution.wishes.empty())
+    solution.quality = Quality{count_broken(execution), execution.cost};
 }
 
 Solution TracingEngine::exclude(const KnownChoices& choices) {
@@ -261,6 +347,7 @@ Solution TracingEngine::exclude(const KnownChoices& choices) {
   if (solution.execution.choices.size() != choices.size())
     throw NotASolution("it has choices that the program does not have");
   solution.choices = solution.execution.choices;
+  complete(solution);
   Known known;
   for (const MetChoice& choice : solution.choices) known.values.emplace(choice.address, choice.value);
   known_.push_back(std::move(known));

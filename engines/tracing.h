@@ -44,6 +44,9 @@ class TracingEngine : public Engine {
   void explore() { solver_.explore(); }
   /// Looks for mistakes in what has been explored so far; false if a limit came first. Throws ProgramError.
   bool check_mistakes();
+  /// Looks into every side that an execution can come to, for all mistakes: each with the choices that lead
+  /// there, which have been run. `complete` says whether no limit came first.
+  std::vector<Diagnostic> find_mistakes(bool* complete);
   /// All that holds in the solutions that are left, on the paths explored so far.
   std::vector<NodeId> formula();
 
@@ -61,13 +64,17 @@ class TracingEngine : public Engine {
   void meet_pass();
   void check_pins();
   void report_reachable_mistakes();
+  Diagnostic diagnose(const TraceMistake& mistake);
+  std::string leading_choices(const TraceMistake& mistake, const Answers& answers) const;
   void exclude_known(Known& known);
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
-  void improve(Found& best);
+  void improve(Found& best, StopSignal::Clock::time_point start);
   Found take_solution();
   Execution replay(const Answers& answers);
+  void complete(Solution& solution) const;
   void add_object_choices(Solution& solution);
+  void add_broken_choices(Solution& solution);
   static Ending ending_of(Outcome outcome);
 
   const Program& program_;
@@ -76,6 +83,7 @@ class TracingEngine : public Engine {
   Limits limits_;  // of executions
   Graph graph_;
   AddressTable addresses_;
+  StopSignal solution_stop_;  // of the search for one solution, part of the whole
   Pins pins_;
   PinnedChoices choices_;
   ExecutionSolver solver_;
@@ -84,6 +92,7 @@ class TracingEngine : public Engine {
   std::size_t met_pass_ = 0;
   NodeId objective_ = kFalse;
   std::int64_t proved_ = INT64_MIN;  // no solution that is left has a lower rank
+  bool last_was_best_ = false;       // the last solution has the rank proved_
   std::vector<Known> known_;
   std::uint64_t first_;  // number of the first solution
 };

@@ -28,6 +28,7 @@ article { display: flex; flex-direction: column; background: var(--card); border
 .plan svg { display: block; width: 100%; height: auto; max-height: 26rem; }
 .text { padding: .7rem .9rem .8rem; }
 .value { margin: .3rem 0; font: .85rem/1.5 ui-monospace, monospace; overflow-wrap: anywhere; white-space: pre-wrap; }
+.remark { margin: .3rem 0; font-size: .875rem; overflow-wrap: anywhere; }
 .alone { flex: 1; margin: 0; padding: .9rem; border-bottom: 1px solid var(--line); }
 .facts { display: flex; flex-wrap: wrap; gap: .2rem 1rem; margin: .3rem 0 0; font-size: .875rem; }
 )css";
@@ -77,12 +78,17 @@ std::string card(const GalleryEntry& entry) {
   const bool value_below = !entry.plan.empty() && !entry.value.empty();
   const std::string value =
       value_below ? fmt::format("<p class=\"value\">{}</p>\n", escape_markup(entry.value)) : "";
+  std::string remarks;
+  for (const std::string& remark : entry.remarks) {
+    if (!remark.empty()) remarks += fmt::format("<p class=\"remark\">{}</p>\n", escape_markup(remark));
+  }
   return fmt::format(
-      "<article id=\"solution-{}\">\n{}<div class=\"text\"><h2>{}</h2>\n{}<p "
+      "<article id=\"solution-{}\">\n{}<div class=\"text\"><h2>{}</h2>\n{}{}<p "
       "class=\"facts\"><span>{}</span>{}{}</p>"
       "</div>\n</article>\n",
-      entry.index, picture(entry), escape_markup(entry.name), value, counted(entry.choices, "choice"),
-      link(entry.glb, "3D scene (.glb)", entry.glb), link(entry.json, "data (.json)", entry.json));
+      entry.index, picture(entry), escape_markup(entry.name), value, remarks,
+      counted(entry.choices, "choice"), link(entry.glb, "3D scene (.glb)", entry.glb),
+      link(entry.json, "data (.json)", entry.json));
 }
 
 }  // namespace

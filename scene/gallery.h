@@ -22,6 +22,7 @@ struct GalleryEntry {
   std::string json;
   std::string value;  // the solution's value as short text, or ""
   std::size_t choices = 0;
+  std::vector<std::string> remarks;  // lines below the value
 };
 
 /// One self-contained HTML page: no script, nothing from a network, the entries in the order given. It holds

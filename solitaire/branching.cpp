@@ -165,7 +165,7 @@ void Evaluator::reject(Requirement requirement, Span span, const std::string& me
     if (symbolic()) {
       recorder_->add(TraceAssert{path_.guard(), kFalse, requirement, address, span, span, message});
     } else {
-      execution_.rejection = Rejection{requirement, span, span, text(address), message};
+      execution_.rejection = Rejection{requirement, span, span, text(address), message, {}};
     }
   }
   end_path();
@@ -199,7 +199,7 @@ void Evaluator::note(NodeId condition, Requirement requirement, Span span, Span 
     check_condition(condition, span);
     recorder_->add(TraceAssert{path_.guard(), condition, requirement, at, span, whole, message});
   } else if (condition == kFalse) {
-    execution_.broken.push_back({requirement, span, whole, text(at), message});
+    execution_.broken.push_back({requirement, span, whole, text(at), message, {}});
   }
 }
 

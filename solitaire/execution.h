@@ -43,7 +43,8 @@ struct Rejection {
   Span span;  // as of a TraceAssert
   Span whole;
   std::string address;
-  std::string message;  // the author's, or ""
+  std::string message;               // the author's, or ""
+  std::vector<std::string> choices;  // of a broken assert in a solution: the choices it depends on
 };
 
 /// What a wish of the program costs an execution: prefer, minimize and maximize.

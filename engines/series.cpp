@@ -1,0 +1,102 @@
+#include "engines/series.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace solitaire {
+namespace {
+
+/// The number of solutions between two starts: few, so that little is to be repeated, but enough that the
+/// search does not mainly start.
+std::size_t after_start(std::size_t solutions) {
+  constexpr std::size_t kLeast = 32;
+  return solutions + std::max(kLeast, solutions / 8);
+}
+
+/// Whether the values are the same; the kinds are not written down everywhere.
+bool same_choices(const KnownChoices& a, const KnownChoices& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const AnsweredChoice& x, const AnsweredChoice& y) {
+                      return x.address == y.address && x.value == y.value;
+                    });
+}
+
+}  // namespace
+
+Series::Series(const Program& program, ParamValues params, const TracingOptions& tracing,
+               const SeriesOptions& options)
+    : program_(program), params_(std::move(params)), tracing_(tracing), options_(options) {
+  start(0);
+}
+
+/// A new engine that knows the first of the solutions.
+std::vector<Solution> Series::start(std::size_t solutions) {
+  engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, solutions);
+  if (told_) engine_->on_improvement(told_);
+  results_ = {};
+  std::vector<Solution> known;
+  for (std::size_t i = 0; i < solutions; ++i) {
+    try {
+      known.push_back(engine_->exclude(solutions_[i]));
+    } catch (const NotASolution& error) {
+      throw NotASolution(fmt::format("solution {} is none of this program: {}", i + 1, error.what()));
+    }
+    results_.add(known.back().execution);
+  }
+  next_start_ = options_.restarts ? after_start(solutions) : SIZE_MAX;
+  return known;
+}
+
+std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
+  solutions_ = earlier;
+  std::vector<Solution> known = start(earlier.size());
+  if (!options_.restarts) return known;
+  std::size_t last_start = 0;
+  while (after_start(last_start) <= earlier.size()) last_start = after_start(last_start);
+  if (last_start == earlier.size()) return known;
+  to_repeat_.assign(earlier.begin() + static_cast<std::ptrdiff_t>(last_start), earlier.end());
+  solutions_.resize(last_start);
+  start(last_start);
+  return known;
+}
+
+std::optional<Solution> Series::next() {
+  if (!repeat()) return std::nullopt;
+  if (solutions_.size() >= next_start_) start(solutions_.size());
+  std::optional<Solution> solution = next_different();
+  if (solution) solutions_.push_back(solution->answers);
+  return solution;
+}
+
+/// Finds again what came since the last start. If something else comes, then that was found in another way,
+/// and the series goes on without repeating any of it. False if the search ended.
+bool Series::repeat() {
+  while (!to_repeat_.empty()) {
+    const std::optional<Solution> solution = next_different();
+    if (!solution && ending() == Ending::kStopped) return false;
+    if (solution && same_choices(solution->answers, to_repeat_.front())) {
+      solutions_.push_back(std::move(to_repeat_.front()));
+      to_repeat_.pop_front();
+      continue;
+    }
+    solutions_.insert(solutions_.end(), to_repeat_.begin(), to_repeat_.end());
+    to_repeat_.clear();
+    start(solutions_.size());
+  }
+  return true;
+}
+
+std::optional<Solution> Series::next_different() {
+  while (true) {
+    std::optional<Solution> solution = engine_->next();
+    if (!solution || results_.add(solution->execution) || !options_.distinct_results) return solution;
+    ++alike_;
+  }
+}
+
+void Series::on_improvement(std::function<void(const Solution&)> told) {
+  told_ = std::move(told);
+  engine_->on_improvement(told_);
+}
+
+}  // namespace solitaire
