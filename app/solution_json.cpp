@@ -53,9 +53,9 @@ std::string quality_text(const Solution& solution) {
   const Quality& quality = *solution.quality;
   std::string text;
   if (quality.broken > 0)
-    text = fmt::format("{} assert{} broken, ", quality.broken, quality.broken == 1 ? "" : "s");
-  return text + fmt::format("cost {}, {}", quality.cost,
-                            quality.proved ? "proved the best left" : "not proved the best left");
+    text += fmt::format("{} assert{} broken, ", quality.broken, quality.broken == 1 ? "" : "s");
+  if (!solution.execution.wishes.empty()) text += fmt::format("cost {}, ", quality.cost);
+  return text + (quality.proved ? "proved the best left" : "not proved the best left");
 }
 
 std::string broken_text(const Rejection& broken, const SourceSet& sources) {

@@ -1,0 +1,153 @@
+// Best solutions first, and near misses, held against brute force: every execution is run, and sorted by what
+// it breaks and costs.
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <set>
+
+#include "tests/program_generator.h"
+#include "tests/program_run.h"
+
+namespace solitaire {
+namespace {
+
+/// Broken asserts, then cost: the smaller the better.
+using Rank = std::pair<std::size_t, std::int64_t>;
+
+Rank rank_of(const Execution& execution) {
+  std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> broken;
+  for (const Rejection& each : execution.broken)
+    broken.emplace(each.address, each.whole.source, each.whole.begin);
+  std::int64_t cost = 0;
+  for (const WishCost& wish : execution.wishes) cost += wish.cost;
+  return {broken.size(), cost};
+}
+
+struct Executions {
+  std::vector<Rank> ranks;  // sorted
+  bool countable = true;
+};
+
+Executions run_all(const Program& program, bool relax, std::size_t most) {
+  Limits limits;
+  limits.keep_going = relax;
+  limits.max_steps = 20'000;
+  limits.max_depth = 40;
+  ExhaustiveEngine engine(program, {}, limits);
+  Executions all;
+  try {
+    while (const auto solution = engine.next()) {
+      all.ranks.push_back(rank_of(solution->execution));
+      if (engine.executions() > most) return {{}, false};
+    }
+  } catch (const ProgramError&) {  // on a path that only broken asserts lead to
+    return {{}, false};
+  }
+  std::sort(all.ranks.begin(), all.ranks.end());
+  return all;
+}
+
+std::vector<Rank> ranks_of_engine(const Program& program, bool relax, Backend backend) {
+  TracingOptions options;
+  options.relax = relax;
+  options.backend = backend;
+  options.limits.max_steps = 20'000;
+  options.limits.max_depth = 40;
+  TracingEngine engine(program, {}, options);
+  std::vector<Rank> ranks;
+  while (const auto solution = engine.next()) {
+    REQUIRE(solution->quality.has_value());
+    CHECK(solution->quality->proved);
+    ranks.emplace_back(solution->quality->broken, solution->quality->cost);
+    CHECK(ranks.back() == rank_of(solution->execution));
+  }
+  CHECK(engine.ending() == Ending::kExhausted);
+  return ranks;
+}
+
+void check_order(const std::string& text, bool relax) {
+  CAPTURE(text);
+  const Program program = program_of(text);
+  const Executions all = run_all(program, relax, 100'000);
+  REQUIRE(all.countable);
+  CHECK(ranks_of_engine(program, relax, Backend::kCadical) == all.ranks);
+  CHECK(ranks_of_engine(program, relax, Backend::kZ3) == all.ranks);
+}
+
+TEST_CASE("best: solutions come by their cost, each proved the best that is left") {
+  check_order("x = range(0, 9); minimize(x); return x;", false);
+  check_order("x = range(0, 9); assert(x % 3 == 1); maximize(x); return x;", false);
+  check_order("x = range(-5, 5); y = range(-5, 5); assert(x != y); minimize(x * y); prefer(x > y); return x;",
+              false);
+  check_order("x = range(0, 3); prefer(x == 2, 10); prefer(x > 2, 4); prefer(x < 1, 3); return x;", false);
+}
+
+TEST_CASE("best: wishes on some paths, in loops and in functions cost only where they are met") {
+  check_order("f = flip(); x = range(0, 4); if f then minimize(x + 3) else maximize(x); return [f, x];",
+              false);
+  check_order("n = range(0, 3); for i in 0..n - 1 { prefer(range(0, 2) == i, i + 1); } return n;", false);
+  check_order(
+      "fun cost(a, b) { if a > b { minimize(a - b); return true; } prefer(a == b, 2); return false; }\n"
+      "x = range(0, 3); y = range(0, 3); z = cost(x, y); w = cost(y, 1); return [x, y, z, w];",
+      false);
+  check_order("x = range(1, 4); prefer(x == 3, x); prefer(false, 2); prefer(true, 5); return x;", false);
+  check_order("assert(range(0, 3) > 5); minimize(3);", false);
+}
+
+TEST_CASE("best: near misses break as few asserts as can be, and of those the cheapest come first") {
+  check_order("x = range(0, 3); y = range(0, 3); assert(y > 0 and x > 5); assert(x + y < 3); return x;",
+              true);
+  check_order("x = range(0, 5); for i in 0..5 { assert(x == i); } minimize(x); return x;", true);
+  check_order(
+      "a = [range(0, 2) for i in 0..2]; assert(distinct(a)); assert(sum(a) > 4); assert(a[0] > a[1]);\n"
+      "maximize(a[2]); return a;",
+      true);
+  check_order("x = range(0, 3); return x;", true);
+}
+
+TEST_CASE("best: what cannot be gone past is no near miss") {
+  check_order("xs = [1, 2]; i = range(0, 3); assert(xs[i] > 5); assert(i > 0); return i;", true);
+  check_order("xs = [1, 2]; i = range(0, 3); x = xs[i]; assert(x > 1); return x;", true);
+  check_order("x = range(0, 3); y = range(x, 2); assert(6 / x > y); return y;", true);
+}
+
+TEST_CASE("best: near misses of generated programs are brute force's") {
+  int compared = 0, broken = 0;
+  for (std::uint64_t seed = 500'000; seed < 500'120; ++seed) {
+    ByteSource bytes(seed);
+    const std::string text = generate_program(bytes);
+    const Program program = program_of(text);
+    const Executions all = run_all(program, true, 400);
+    if (!all.countable || all.ranks.empty()) continue;
+    try {
+      CHECK_MESSAGE(ranks_of_engine(program, true, Backend::kCadical) == all.ranks,
+                    fmt::format("seed {}\n{}", seed, text));
+    } catch (const ProgramError&) {  // beyond the engine, which the differential tests look into
+      continue;
+    }
+    ++compared;
+    if (all.ranks.back().first > 0) ++broken;
+  }
+  CHECK(compared >= 40);  // else the generator has become poor
+  CHECK(broken >= 10);
+}
+
+TEST_CASE("best: a limit while a solution is made better leaves it as it is, and says so") {
+  const Program program = program_of(
+      "xs = [range(0, 999) for i in 1..12];\nassert(distinct(xs));\n"
+      "minimize(sum([abs(xs[i] * xs[i + 1] - 997 * i) for i in 0..10]));\nreturn xs;\n");
+  TracingOptions options;
+  options.improvement_time = 0.2;
+  TracingEngine engine(program, {}, options);
+  std::vector<std::int64_t> told;
+  engine.on_improvement([&](const Solution& solution) { told.push_back(solution.quality->cost); });
+  const auto solution = engine.next();
+  REQUIRE(solution.has_value());
+  CHECK(!solution->quality->proved);
+  CHECK(!told.empty());
+  CHECK(std::is_sorted(told.rbegin(), told.rend()));
+  CHECK(engine.next().has_value());  // the engine goes on
+}
+
+}  // namespace
+}  // namespace solitaire
