@@ -41,6 +41,7 @@ class Output {
     if (!std::filesystem::is_directory(options.output)) {
       throw FileError(options.output.string(), error ? error.message() : "is not a folder");
     }
+    remove_abandoned_files(options.output);
   }
 
   /// Writes a solution's files.

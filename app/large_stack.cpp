@@ -1,7 +1,9 @@
 #include "app/large_stack.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <pthread.h>
+#include <sys/resource.h>
 
 namespace solitaire {
 namespace {
@@ -23,13 +25,20 @@ bool run_with(const std::function<void()>& work, std::size_t bytes) {
   return started;
 }
 
+/// The largest stack that leaves most of the address space to other things.
+std::size_t most_bytes() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return SIZE_MAX;
+  return limit.rlim_cur / 4;
+}
+
 }  // namespace
 
 void run_on_large_stack(const std::function<void()>& work) {
   constexpr std::size_t kMiB = std::size_t{1} << 20;
   // Only what is used of it takes memory; where address space is limited, less has to do.
   for (const std::size_t size : {1024 * kMiB, 256 * kMiB, 64 * kMiB}) {
-    if (run_with(work, size)) return;
+    if (size <= most_bytes() && run_with(work, size)) return;
   }
   work();
 }

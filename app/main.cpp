@@ -13,8 +13,10 @@ namespace {
 using Command = ExitStatus (*)(const Options&, Watchdog&);
 
 ExitStatus run(Command command, const Options& options) {
-  Watchdog watchdog(options);
-  return status_of(options, [&] { return command(options, watchdog); });
+  return status_of(options, [&] {
+    Watchdog watchdog(options);
+    return status_of(options, [&] { return command(options, watchdog); });
+  });
 }
 
 /// What the command line's reader has to say: help to standard output, mistakes to standard error.

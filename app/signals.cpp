@@ -24,7 +24,8 @@ StopSignal& stop_signal() {
 
 void catch_signals() {
   stop_signal();  // a handler must not be the first to construct it
-  for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop, static_cast<int>(SA_RESETHAND));
+  constexpr int kOnce = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop, kOnce);
   for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, SIG_IGN, 0);
 }
 

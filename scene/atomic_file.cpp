@@ -2,11 +2,15 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 #include "scene/error.h"
 
@@ -17,6 +21,28 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, int error) {
   throw SceneError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(error)));
+}
+
+std::string temporary_name(::pid_t process, unsigned number) {
+  return fmt::format(".solitaire-{}-{}.part", process, number);
+}
+
+/// The process that has named a temporary file; 0 if it is none.
+::pid_t process_of(const std::string& name) {
+  ::pid_t process = 0;
+  unsigned number = 0;
+  if (std::sscanf(name.c_str(), ".solitaire-%d-%u", &process, &number) != 2 || process <= 0) return 0;
+  return name == temporary_name(process, number) ? process : 0;
+}
+
+/// Whether no process can be at work on the file. One with that number may also be that of another machine
+/// or container which shares the folder, so a file that was written to just now is left alone.
+bool is_abandoned(const fs::directory_entry& file) {
+  constexpr std::chrono::minutes kAtWork(1);
+  const ::pid_t process = process_of(file.path().filename().string());
+  if (process == 0 || fs::symlink_status(file).type() != fs::file_type::regular) return false;
+  const bool ended = ::kill(process, 0) != 0 && errno == ESRCH;
+  return ended && fs::file_time_type::clock::now() - file.last_write_time() > kAtWork;
 }
 
 /// An open file; close() tells whether everything reached it.
@@ -69,7 +95,7 @@ class Temporary {
  private:
   static std::string unused_name() {
     static std::atomic<unsigned> count = 0;
-    return fmt::format(".solitaire-{}-{}.part", ::getpid(), ++count);
+    return temporary_name(::getpid(), ++count);
   }
 
   fs::path path_;
@@ -99,6 +125,17 @@ void write_file_atomically(const fs::path& path, std::string_view bytes,
   if (!output.is_open() || !output.write(bytes) || !output.close()) fail(path, errno);
   if (check) check(temporary.path());
   if (!temporary.rename_to(target)) fail(path, errno);
+}
+
+void remove_abandoned_files(const fs::path& folder) {
+  try {
+    std::vector<fs::path> abandoned;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
+      if (is_abandoned(file)) abandoned.push_back(file.path());
+    }
+    for (const fs::path& file : abandoned) fs::remove(file);
+  } catch (const fs::filesystem_error&) {  // it is gone already, or not ours to remove
+  }
 }
 
 }  // namespace solitaire

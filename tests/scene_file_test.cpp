@@ -1,4 +1,5 @@
 // Whole files or none.
+#include <chrono>
 #include <csignal>
 #include <sys/resource.h>
 
@@ -35,6 +36,35 @@ TEST_CASE("scene: a failed write leaves what was there and nothing else") {
   }
   CHECK(read_file(folder / "a") == "before");
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("scene: temporary files of processes that ended are removed, and nothing else") {
+  TemporaryFolder folder;
+  const auto make = [&](const std::string& name, std::chrono::seconds age) {
+    write_file(folder / name, "x");
+    fs::last_write_time(folder / name, fs::file_time_type::clock::now() - age);
+  };
+  constexpr std::chrono::hours kOld(1);
+  constexpr const char* kNobody = "2147483646";                    // no process can have this number
+  const std::vector<std::string> others = {".solitaire-1-1.part",  // of a process that lives
+                                           fmt::format(".solitaire-{}-1.part.txt", kNobody),
+                                           fmt::format(".solitaire-{}-01.part", kNobody),
+                                           fmt::format("solitaire-{}-1.part", kNobody),
+                                           ".solitaire--5-1.part",
+                                           ".solitaire-0-1.part",
+                                           ".solitaire-x-1.part",
+                                           "scene-0001.glb"};
+  for (const std::string& name : others) make(name, kOld);
+  const std::string recent = fmt::format(".solitaire-{}-1.part", kNobody);
+  make(recent, std::chrono::seconds(1));
+  make(fmt::format(".solitaire-{}-23.part", kNobody), kOld);
+  fs::create_directory(folder / fmt::format(".solitaire-{}-4.part", kNobody));
+  fs::create_symlink("scene-0001.glb", folder / fmt::format(".solitaire-{}-5.part", kNobody));
+  remove_abandoned_files(folder.path());
+  CHECK(folder.entries() == others.size() + 3);
+  for (const std::string& name : others) CHECK(fs::exists(folder / name));
+  CHECK(fs::exists(folder / recent));
+  remove_abandoned_files(folder / "none");
 }
 
 TEST_CASE("scene: a full device is reported") {
