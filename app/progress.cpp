@@ -42,7 +42,12 @@ void Progress::end() {
 
 void Progress::run() {
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return done_; })) show();
+  while (!wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return done_; })) {
+    try {
+      show();
+    } catch (const std::bad_alloc&) {  // the search will meet it, too, and knows what to do
+    }
+  }
 }
 
 void Progress::show() {

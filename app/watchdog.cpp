@@ -1,6 +1,8 @@
 #include "app/watchdog.h"
 
-#include <fstream>
+#include <array>
+#include <cstdio>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "app/report.h"
@@ -24,12 +26,16 @@ StopSignal::Clock::time_point after(std::optional<double> seconds) {
 
 constexpr double kMegabyte = 1e6;
 
-/// What the process has in the machine's memory, in bytes.
+/// What the process has in the machine's memory, in bytes. Takes none itself: there may be none.
 double resident_memory() {
-  std::ifstream file("/proc/self/statm");
-  double total = 0, resident = 0;
-  file >> total >> resident;
-  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  std::array<char, 128> text{};
+  const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  const ssize_t length = ::read(file, text.data(), text.size() - 1);
+  ::close(file);
+  unsigned long pages = 0;
+  if (length < 0 || std::sscanf(text.data(), "%*u %lu", &pages) != 1) return 0;
+  return static_cast<double>(pages) * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace
