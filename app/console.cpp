@@ -1,5 +1,6 @@
 #include "app/console.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>

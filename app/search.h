@@ -1,5 +1,7 @@
 #pragma once
+#include <atomic>
 #include <functional>
+#include <memory>
 
 #include "app/progress.h"
 #include "app/session.h"
