@@ -38,9 +38,9 @@ void check_run(const Json& file, const Json& expected, const std::string& path) 
 
 }  // namespace
 
-std::vector<KnownChoices> read_earlier_run(const fs::path& folder, const std::string& name,
-                                           const Json& expected) {
-  std::vector<KnownChoices> solutions;
+std::vector<EarlierSolution> read_earlier_run(const fs::path& folder, const std::string& name,
+                                              const Json& expected) {
+  std::vector<EarlierSolution> solutions;
   while (true) {
     const fs::path path = folder / fmt::format("{}-{:04}.json", name, solutions.size() + 1);
     if (!fs::exists(path)) return solutions;
@@ -49,7 +49,9 @@ std::vector<KnownChoices> read_earlier_run(const fs::path& folder, const std::st
     const Json file = Json::parse(stream, nullptr, false);
     if (!file.is_object()) throw FileError(path.string(), "is not the .json file of a solution");
     check_run(file, expected, path.string());
-    solutions.push_back(choices_of(file, path.string()));
+    EarlierSolution solution{choices_of(file, path.string()), {}};
+    if (file.contains("optimal")) solution.optimal = file["optimal"] == true;
+    solutions.push_back(std::move(solution));
   }
 }
 

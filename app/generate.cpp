@@ -135,24 +135,31 @@ class Output {
   std::vector<GalleryEntry> entries_;
 };
 
+/// Takes up the run that left its solutions in the folder.
+void resume(Search& search, Output& output, const Session& session, const Options& options) {
+  const std::vector<EarlierSolution> earlier = read_earlier_run(options.output, session.name(), output.run());
+  std::vector<KnownChoices> choices;
+  for (const EarlierSolution& each : earlier) choices.push_back(each.choices);
+  try {
+    search.resume(choices, [&](std::uint64_t number, const Solution& solution) {
+      Solution known = solution;
+      const auto& optimal = earlier[number - 1].optimal;
+      if (known.quality && optimal) known.quality->proved = *optimal;
+      output.add_earlier(number, known);
+    });
+  } catch (const NotASolution& error) {
+    throw FileError(options.output.string(),
+                    fmt::format("{}; has the program changed? Generate into another folder", error.what()));
+  }
+}
+
 }  // namespace
 
 ExitStatus generate(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   Search search(session, options, watchdog);
   Output output(session, options);
-  if (options.resume) {
-    try {
-      search.resume(
-          read_earlier_run(options.output, session.name(), output.run()),
-          [&](std::uint64_t number, const Solution& solution) { output.add_earlier(number, solution); });
-    } catch (const NotASolution& error) {
-      throw FileError(options.output.string(),
-                      fmt::format("{}; has the program changed? Generate into another "
-                                  "folder",
-                                  error.what()));
-    }
-  }
+  if (options.resume) resume(search, output, session, options);
   return search.run(
       [&](std::uint64_t number, const Solution& solution) {
         output.add(number, solution, search.engine().times());

@@ -50,6 +50,7 @@ std::vector<Solution> Series::start(std::size_t solutions) {
 std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
   solutions_ = earlier;
   std::vector<Solution> known = start(earlier.size());
+  for (Solution& solution : known) engine_->add_provenance(solution);
   if (!options_.restarts) return known;
   std::size_t last_start = 0;
   while (after_start(last_start) <= earlier.size()) last_start = after_start(last_start);

@@ -23,7 +23,7 @@ class Series {
          const SeriesOptions& options);
 
   /// Takes up a series after these solutions; returns them, run again. To be called before anything else.
-  /// Throws NotASolution, whose message names the one that is none.
+  /// Throws NotASolution, whose message names the one that is none, and Interrupted.
   std::vector<Solution> resume(const std::vector<KnownChoices>& earlier);
   /// Explores, which is part of the search for the first. Throws Interrupted.
   void explore() { engine_->explore(); }

@@ -327,19 +327,19 @@ TracingEngine::Found TracingEngine::take_solution() {
         fmt::format("a model has {} choices, its replay {}", answers.size(), solution.choices.size()));
   }
   complete(solution);
-  add_object_choices(solution);
-  add_broken_choices(solution);
+  add_provenance(solution);
   return found;
 }
 
 void TracingEngine::complete(Solution& solution) const {
   solution.answers = readable(solution.choices, addresses_);
   const Execution& execution = solution.execution;
-  if (options_.relax || !execution.wishes.empty())
+  if (options_.relax || !solver_.trace().wishes.empty())
     solution.quality = Quality{count_broken(execution), execution.cost};
 }
 
 Solution TracingEngine::exclude(const KnownChoices& choices) {
+  solver_.explore();
   WrittenChoices written(choices, addresses_);
   Solution solution;
   solution.execution = execute(program_, params_, written, addresses_, limits_);

@@ -31,8 +31,11 @@ class TracingEngine : public Engine {
   Ending ending() const override { return ending_; }
   const AddressTable& addresses() const override { return addresses_; }
 
-  /// Keeps a solution from being found, and runs it. Throws NotASolution.
+  /// Keeps a solution from being found, and runs it. It lacks what add_provenance adds. Throws NotASolution
+  /// and Interrupted.
   Solution exclude(const KnownChoices& choices);
+  /// Adds which choices decide about the placed things and broken asserts.
+  void add_provenance(Solution& solution);
   /// Told of each solution that is better than the one before, while the next one is looked for.
   void on_improvement(std::function<void(const Solution&)> told) { told_ = std::move(told); }
 
