@@ -152,6 +152,11 @@ std::string dead_text(const DeadAsserts& asserts, const SourceSet& sources) {
                                      : "this rules nothing out: no execution comes to it";
     text += format({each.span, why, "", {}}, sources, "note");
   }
+  if (asserts.undecided > 0) {
+    text += fmt::format("of {} further assert{} it was not found out whether {} anything out\n",
+                        asserts.undecided, asserts.undecided == 1 ? "" : "s",
+                        asserts.undecided == 1 ? "it rules" : "they rule");
+  }
   return text;
 }
 

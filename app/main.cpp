@@ -71,6 +71,8 @@ int run_command_line(int argc, char** argv) {
   explaining->add_option("--more", explain_options.more, "also show so many further, independent conflicts")
       ->type_name("N");
   explaining->add_flag("--choices", explain_options.choices, "show the values of every choice in solutions");
+  explaining->add_flag("--thorough", explain_options.thorough,
+                       "of a program with solutions: give no question up, however long it takes");
   explaining->add_flag("--json", explain_options.json, "as one JSON object");
 
   Options trace_options;

@@ -51,6 +51,7 @@ struct Options {
   bool relax = false;
   std::uint64_t more = 0;  // conflicts after the first
   bool choices = false;    // explain every choice
+  bool thorough = false;
 
   Exploration exploration() const;
 };

@@ -40,7 +40,7 @@ ConditionSolver::Outcome ConditionSolver::find(const Wanted& wanted, const std::
       asked_.emplace_back(each.holds, &each.condition);
       nodes.push_back(each.holds);
     }
-    if (also) nodes.push_back(also());
+    if (also) nodes.push_back(graph_.disjunction(also(), solver_.unexplored()));
     return nodes;
   });
 }

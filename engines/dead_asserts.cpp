@@ -57,7 +57,7 @@ class Audit {
     const Outcome broken = solver_.find(
         others, any([this](const TracedCondition& each) { return solver_.graph().negation(each.holds); }));
     if (broken != Outcome::kNone) {
-      if (broken != Outcome::kFound) result_.complete = false;
+      if (broken != Outcome::kFound) ++result_.undecided;
       return false;
     }
     const Outcome met = solver_.find(others, any([](const TracedCondition& each) { return each.met; }));
@@ -83,7 +83,7 @@ DeadAsserts find_dead_asserts(const Program& program, const ParamValues& params,
   try {
     return Audit(program, params, options).run();
   } catch (const Interrupted&) {
-    return {{}, false};
+    return {{}, 1};
   }
 }
 

@@ -11,7 +11,7 @@ struct DeadAssert {
 
 struct DeadAsserts {
   std::vector<DeadAssert> dead;  // in the order of the program's text
-  bool complete = true;          // whether no limit came first
+  std::size_t undecided = 0;     // asserts and conjuncts about which a limit came first
 };
 
 /// The asserts of a program that never constrain anything: in all their calls and loop turns they hold

@@ -23,6 +23,7 @@ ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, con
   solver_ = options.backend == Backend::kZ3
                 ? make_z3_solver(graph_, addresses_, {solver_seed, options.diverse})
                 : make_cadical_solver(graph_, {solver_seed});
+  if (options.effort > 0) solver_->limit_effort(options.effort);
 }
 
 ExecutionSolver::~ExecutionSolver() = default;
@@ -54,6 +55,12 @@ void ExecutionSolver::suggest_random_values(std::uint64_t index) {
     const ChoiceVariable& variable = graph_.variables()[i];
     if (!solver_->suggest(i, *random.answer(variable.address, variable.domain))) return;
   }
+}
+
+NodeId ExecutionSolver::unexplored() {
+  NodeId any = kFalse;
+  for (const TraceBlocker& blocker : trace().blockers) any = graph_.disjunction(any, blocker.guard);
+  return any;
 }
 
 std::vector<NodeId> ExecutionSolver::closed_sides() const {
@@ -133,9 +140,7 @@ bool ExecutionSolver::explore_fully(std::size_t most_passes) {
   explore();
   for (std::size_t pass = 0; !trace().blockers.empty(); ++pass) {
     if (pass == most_passes) return false;
-    NodeId any = kFalse;
-    for (const TraceBlocker& blocker : trace().blockers) any = graph_.disjunction(any, blocker.guard);
-    switch (check({any})) {
+    switch (check({unexplored()})) {
       case Verdict::kUnsatisfiable:
         return true;
       case Verdict::kStopped:

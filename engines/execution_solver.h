@@ -24,7 +24,8 @@ struct TracingOptions {
   /// Seconds from the start of the search for a solution after which it is no longer made better.
   std::optional<double> improvement_time;
   std::vector<Pin> pins;
-  Limits limits;  // of one execution; its stop signal ends the work
+  std::uint64_t effort = 0;  // conflicts after which the solver gives a question up; 0: none
+  Limits limits;             // of one execution; its stop signal ends the work
 };
 
 /// Where the time went, in seconds.
@@ -74,9 +75,10 @@ class ExecutionSolver {
     kFound,
     kNone,        // proved
     kUnexplored,  // none on the paths that the policy explores
-    kStopped,     // a limit came first
+    kStopped,     // a limit came first, of effort too
   };
-  /// Conditions that depend on the newest pass.
+  /// Conditions that depend on the newest pass. They may only say what a longer execution that begins like
+  /// one of the trace cannot undo, as a broken assert is; or else they hold where unexplored() does.
   using Conditions = std::function<std::vector<NodeId>()>;
   /// Looks for an execution that fulfils the conditions and comes to no mistake. They are asked for again
   /// after each further pass.
@@ -89,6 +91,9 @@ class ExecutionSolver {
   /// Has the next search start from random values of the choices: it then ends at a solution near them, and
   /// not near the last one. What is found depends on the index.
   void suggest_random_values(std::uint64_t index);
+
+  /// Where an execution leaves the paths that were explored: what the trace says of it is not all.
+  NodeId unexplored();
 
   // After kFound:
   Answers answers();

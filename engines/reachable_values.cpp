@@ -25,7 +25,7 @@ class Survey {
         solver_(program, params, options, choices_, graph_, addresses,
                 [](const TraceAssert&) { return true; }) {}
 
-  std::vector<ReachableValues> run() {
+  void run(const std::function<void(const ReachableValues&)>& told) {
     for (std::uint64_t i = 0; i < kSamples; ++i) {
       solver_.suggest_random_values(i);
       if (!find([] { return kTrue; })) break;
@@ -37,8 +37,8 @@ class Survey {
         find_end(i, false);
         find_end(i, true);
       }
+      told(found_[i]);
     }
-    return std::move(found_);
   }
 
  private:
@@ -46,7 +46,7 @@ class Survey {
   bool find(const std::function<NodeId()>& condition) {
     last_ = solver_.find([&] {
       meet_pass();
-      std::vector<NodeId> nodes{condition()};
+      std::vector<NodeId> nodes{graph_.disjunction(condition(), solver_.unexplored())};
       for (const PinnedChoice& pinned : pinned_choices(graph_, solver_.trace(), pins_))
         nodes.push_back(pinned.holds);
       return nodes;
@@ -140,9 +140,9 @@ bool ReachableValues::restricted() const {
   return values.empty() || *values.begin() > domain.lo || *values.rbegin() < domain.hi;
 }
 
-std::vector<ReachableValues> find_reachable_values(const Program& program, const ParamValues& params,
-                                                   const TracingOptions& options, AddressTable& addresses) {
-  return Survey(program, params, options, addresses).run();
+void find_reachable_values(const Program& program, const ParamValues& params, const TracingOptions& options,
+                           AddressTable& addresses, const std::function<void(const ReachableValues&)>& told) {
+  Survey(program, params, options, addresses).run(told);
 }
 
 }  // namespace solitaire

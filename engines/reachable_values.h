@@ -18,9 +18,9 @@ struct ReachableValues {
   bool restricted() const;
 };
 
-/// For every choice that the program makes, in the order in which it is met. Choices of many values are
-/// described by the least and the greatest.
-std::vector<ReachableValues> find_reachable_values(const Program& program, const ParamValues& params,
-                                                   const TracingOptions& options, AddressTable& addresses);
+/// For every choice that the program makes, in the order in which it is met; each is told as soon as it is
+/// known. Choices of many values are described by the least and the greatest.
+void find_reachable_values(const Program& program, const ParamValues& params, const TracingOptions& options,
+                           AddressTable& addresses, const std::function<void(const ReachableValues&)>& told);
 
 }  // namespace solitaire

@@ -171,7 +171,8 @@ TracingEngine::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
       const Outcome outcome = solver_.find([&]() -> std::vector<NodeId> {
         if (!most) return {};
         const NodeId objective = objective_of(graph_, solver_.trace(), options_.relax);
-        return {graph_.apply(Op::kLeInt, {objective, graph_.constant(*most)})};
+        const NodeId good = graph_.apply(Op::kLeInt, {objective, graph_.constant(*most)});
+        return {graph_.disjunction(good, solver_.unexplored())};
       });
       if (met_pass_ == solver_.passes()) return outcome;
     }

@@ -1,6 +1,8 @@
 #include "smt/cadical_solver.h"
 
+#include <algorithm>
 #include <cadical.hpp>
+#include <climits>
 #include <optional>
 
 #include "smt/bit_blast.h"
@@ -65,6 +67,10 @@ class CadicalSolver : public Solver, private ClauseSink {
     }
   }
 
+  void limit_effort(std::uint64_t conflicts) override {
+    effort_ = static_cast<int>(std::min<std::uint64_t>(conflicts, INT_MAX));
+  }
+
   bool suggest(std::size_t variable, std::int64_t value) override {
     if (suggestions_.size() <= variable) suggestions_.resize(variable + 1);
     suggestions_[variable] = value;
@@ -88,6 +94,7 @@ class CadicalSolver : public Solver, private ClauseSink {
   int solve(const StopSignal& signal) {
     Stop stop(signal);
     solver_.connect_terminator(&stop);
+    if (effort_ > 0) solver_.limit("conflicts", effort_);  // of this call
     const int status = solver_.solve();
     solver_.disconnect_terminator();
     return status;
@@ -150,6 +157,7 @@ class CadicalSolver : public Solver, private ClauseSink {
   std::vector<std::size_t> suggested_;  // variables whose suggestions CaDiCaL does not know yet
   std::vector<std::int64_t> model_;     // by variable
   std::vector<NodeId> core_;
+  int effort_ = 0;
 };
 
 }  // namespace

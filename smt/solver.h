@@ -18,9 +18,11 @@ class Solver {
 
   /// From now on at least one of the conditions holds. None at all: nothing is satisfiable any more.
   virtual void add_clause(std::span<const NodeId> conditions) = 0;
-  /// Whether everything added and all of the assumptions can hold together. kStopped if the signal came
-  /// first.
+  /// Whether everything added and all of the assumptions can hold together. kStopped if the signal or
+  /// the limit of effort came first.
   virtual Verdict check(std::span<const NodeId> assumptions, const StopSignal& stop) = 0;
+  /// From now on a check ends with kStopped after about so many conflicts of the search; 0: it does not.
+  virtual void limit_effort(std::uint64_t conflicts) = 0;
   /// A value to try first for a choice, in the checks to come. False if this solver takes no suggestions.
   virtual bool suggest(std::size_t variable, std::int64_t value) = 0;
   /// After kSatisfiable: the value of the choice variable with that number.

@@ -1,5 +1,7 @@
 #include "smt/z3_solver.h"
 
+#include <algorithm>
+#include <climits>
 #include <condition_variable>
 #include <mutex>
 #include <new>
@@ -85,8 +87,17 @@ class Z3Solver : public Solver {
       case z3::unknown:
         break;
     }
-    if (!stop.stopped()) throw std::runtime_error("Z3 gave up: " + solver_.reason_unknown());
+    if (!stop.stopped() && !effort_limited_)
+      throw std::runtime_error("Z3 gave up: " + solver_.reason_unknown());
     return Verdict::kStopped;
+  }
+
+  void limit_effort(std::uint64_t conflicts) override {
+    effort_limited_ = conflicts > 0;
+    const auto most = static_cast<unsigned>(std::min<std::uint64_t>(conflicts, UINT_MAX));
+    z3::params params(context_);
+    params.set("max_conflicts", effort_limited_ ? most : UINT_MAX);
+    solver_.set(params);
   }
 
   bool suggest(std::size_t, std::int64_t) override { return false; }
@@ -129,6 +140,7 @@ class Z3Solver : public Solver {
   std::unique_ptr<z3::model> model_;
   std::unordered_map<NodeId, z3::expr> literals_;
   std::vector<std::pair<unsigned, NodeId>> assumed_;
+  bool effort_limited_ = false;
 };
 
 }  // namespace

@@ -47,8 +47,21 @@ Executions run_all(const Program& program, bool relax, std::size_t most) {
   return all;
 }
 
-std::vector<Rank> ranks_of_engine(const Program& program, bool relax, Backend backend) {
+/// As little as possible opened unasked.
+Exploration little() {
+  Exploration exploration;
+  exploration.unasked_sides = 0;
+  exploration.levels = 1;
+  exploration.grant = 0;
+  exploration.fuel_steps = 8;
+  exploration.fuel_depth = 1;
+  return exploration;
+}
+
+std::vector<Rank> ranks_of_engine(const Program& program, bool relax, Backend backend,
+                                  const Exploration& exploration = {}) {
   TracingOptions options;
+  options.exploration = exploration;
   options.relax = relax;
   options.backend = backend;
   options.limits.max_steps = 20'000;
@@ -72,6 +85,7 @@ void check_order(const std::string& text, bool relax) {
   REQUIRE(all.countable);
   CHECK(ranks_of_engine(program, relax, Backend::kCadical) == all.ranks);
   CHECK(ranks_of_engine(program, relax, Backend::kZ3) == all.ranks);
+  CHECK(ranks_of_engine(program, relax, Backend::kCadical, little()) == all.ranks);
 }
 
 TEST_CASE("best: solutions come by their cost, each proved the best that is left") {
@@ -92,6 +106,9 @@ TEST_CASE("best: wishes on some paths, in loops and in functions cost only where
       false);
   check_order("x = range(1, 4); prefer(x == 3, x); prefer(false, 2); prefer(true, 5); return x;", false);
   check_order("assert(range(0, 3) > 5); minimize(3);", false);
+  check_order(
+      "n = 5; if flip() then { if flip() then { if flip() then { maximize(10); n = 6; } } } minimize(n);",
+      false);
 }
 
 TEST_CASE("best: near misses break as few asserts as can be, and of those the cheapest come first") {
@@ -122,6 +139,8 @@ TEST_CASE("best: near misses of generated programs are brute force's") {
     try {
       CHECK_MESSAGE(ranks_of_engine(program, true, Backend::kCadical) == all.ranks,
                     fmt::format("seed {}\n{}", seed, text));
+      CHECK_MESSAGE(ranks_of_engine(program, true, Backend::kCadical, little()) == all.ranks,
+                    fmt::format("with little explored, seed {}\n{}", seed, text));
     } catch (const ProgramError&) {  // beyond the engine, which the differential tests look into
       continue;
     }
