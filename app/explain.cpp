@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/explanation.h"
+#include "app/progress.h"
 #include "app/report.h"
 #include "app/session.h"
 #include "app/signals.h"
@@ -20,7 +21,13 @@ constexpr std::uint64_t kEffort = 5000;
 class Explanation {
  public:
   Explanation(const Options& options, const Session& session, Watchdog& watchdog)
-      : options_(options), session_(session), watchdog_(watchdog), json_{{"program", options.script}} {}
+      : options_(options),
+        session_(session),
+        watchdog_(watchdog),
+        progress_(!options.quiet),
+        json_{{"program", options.script}} {
+    progress_.update("looking for a solution");
+  }
 
   /// Why there is no solution.
   ExitStatus conflicts() {
@@ -28,6 +35,7 @@ class Explanation {
       json["solutions"] = false;
       json["conflicts"] = Json::array();
     });
+    progress_.update("looking for conditions that cannot hold together");
     Explainer explainer(session_.program(), session_.params(), session_.tracing_options());
     const ExplanationContext context{session_.program().sources, explainer.addresses()};
     for (std::uint64_t i = 0; i <= options_.more; ++i) {
@@ -46,12 +54,14 @@ class Explanation {
     say(fmt::format("{} has solutions\n", options_.script), [](Json& json) { json["solutions"] = true; });
     TracingOptions tracing = session_.tracing_options();
     tracing.effort = options_.thorough ? 0 : kEffort;
+    progress_.update("looking for asserts that rule nothing out");
     const DeadAsserts asserts = find_dead_asserts(session_.program(), session_.params(), tracing);
     say(dead_text(asserts, session_.program().sources), [&](Json& json) {
       json["dead"] = dead_json(asserts, session_.program().sources);
       json["undecided"] = asserts.undecided;
       json["choices"] = Json::array();
     });
+    progress_.update("looking for values that never occur");
     AddressTable addresses;
     const ExplanationContext context{session_.program().sources, addresses};
     find_reachable_values(session_.program(), session_.params(), tracing, addresses,
@@ -68,8 +78,11 @@ class Explanation {
     return watchdog_.conclude(finish(status));
   }
 
+  void end_progress() { progress_.end(); }
+
   /// To be called while delivering.
-  ExitStatus finish(ExitStatus status) const {
+  ExitStatus finish(ExitStatus status) {
+    progress_.end();
     if (status == kLimit) tell(fmt::format("{}: {}\n", options_.script, limit_text(options_)));
     if (options_.json) print_result(json_text(json_) + "\n");
     return status;
@@ -80,12 +93,16 @@ class Explanation {
   void say(const std::string& text, const Note& note) {
     const auto lock = watchdog_.delivering();
     note(json_);
-    if (!options_.json) print_result(text);
+    if (!options_.json && !text.empty()) {
+      progress_.clear();
+      print_result(text);
+    }
   }
 
   const Options& options_;
   const Session& session_;
   Watchdog& watchdog_;
+  Progress progress_;
   Json json_;
 };
 
@@ -102,6 +119,7 @@ ExitStatus explain(const Options& options, Watchdog& watchdog) {
     if (engine.next()) return explanation.possibilities();
   } catch (const ProgramError& error) {
     const auto lock = watchdog.delivering();
+    explanation.end_progress();
     report(error, session.program().sources);
     return watchdog.conclude(kError);
   }

@@ -163,6 +163,8 @@ ExitStatus generate(const Options& options, Watchdog& watchdog) {
   return search.run(
       [&](std::uint64_t number, const Solution& solution) {
         output.add(number, solution, search.engine().times());
+        if (solution.quality && !options.quiet)
+          tell(fmt::format("{}-{:04}: {}\n", session.name(), number, quality_text(solution)));
         if (!options.json) return;
         nlohmann::ordered_json line{{"index", number}};
         line.update(solution_json(solution, session.program().sources));

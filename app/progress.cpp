@@ -12,8 +12,7 @@ constexpr const char* kClearLine = "\r\033[K";
 
 }  // namespace
 
-Progress::Progress(bool wanted, std::uint64_t goal)
-    : shown_(wanted && isatty(STDERR_FILENO) != 0), goal_(goal) {
+Progress::Progress(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {
   if (shown_) thread_ = std::thread([this] { run(); });
 }
 
@@ -22,15 +21,19 @@ Progress::~Progress() {
   if (shown_) thread_.join();
 }
 
-void Progress::update(std::uint64_t solutions, std::size_t nodes) {
+void Progress::update(std::string line) {
   const std::lock_guard lock(mutex_);
-  solutions_ = solutions;
-  nodes_ = nodes;
+  line_ = std::move(line);
 }
 
 void Progress::say(const std::string& line) {
   const std::lock_guard lock(mutex_);
   tell(fmt::format("{}{}\n", shown_ ? kClearLine : "", line));
+}
+
+void Progress::clear() {
+  const std::lock_guard lock(mutex_);
+  if (shown_ && !done_) tell(kClearLine);
 }
 
 void Progress::end() {
@@ -52,10 +55,7 @@ void Progress::run() {
 
 void Progress::show() {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const std::string count = goal_ > 0 ? fmt::format("{} of {} solutions", solutions_, goal_)
-                                      : fmt::format("{} solutions", solutions_);
-  const std::string graph = nodes_ > 0 ? fmt::format(", graph of {} nodes", nodes_) : "";
-  tell(fmt::format("{}{}{}, {:.1f} s", kClearLine, count, graph, seconds));
+  tell(fmt::format("{}{}, {:.1f} s", kClearLine, line_, seconds));
 }
 
 }  // namespace solitaire

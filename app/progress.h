@@ -12,14 +12,17 @@ namespace solitaire {
 /// terminal.
 class Progress {
  public:
-  Progress(bool wanted, std::uint64_t goal);
+  explicit Progress(bool wanted);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void update(std::uint64_t solutions, std::size_t nodes);
+  /// What the line says; the time is added.
+  void update(std::string line);
   /// Shows a line above the progress, terminal or not.
   void say(const std::string& line);
+  /// Takes the line away until it is next shown.
+  void clear();
   /// Takes the progress line away, for good.
   void end();
 
@@ -28,12 +31,10 @@ class Progress {
   void show();
 
   bool shown_;
-  std::uint64_t goal_;  // 0: as many as there are
   std::mutex mutex_;
   std::condition_variable wake_;
   bool done_ = false;
-  std::uint64_t solutions_ = 0;
-  std::size_t nodes_ = 0;
+  std::string line_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::thread thread_;
 };

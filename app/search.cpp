@@ -5,6 +5,7 @@
 #include "app/console.h"
 #include "app/explanation.h"
 #include "app/report.h"
+#include "app/solution_json.h"
 
 namespace solitaire {
 namespace {
@@ -32,7 +33,7 @@ void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen)
 }
 
 ExitStatus Search::run(const Found& found, const Close& close) {
-  Progress progress(!options_.quiet, options_.all ? 0 : options_.count);
+  Progress progress(!options_.quiet);
   const Watchdog::AtLimit at_limit(watchdog_, [&] {
     progress.end();
     if (best_so_far_) deliver(Solution(*best_so_far_), found, progress);
@@ -84,6 +85,11 @@ Ending Search::deliver_all(const Found& found, Progress& progress) {
   }
 }
 
+void Search::show_progress(Progress& progress, const std::string& more) const {
+  progress.update(options_.all ? fmt::format("{} solutions{}", solutions_, more)
+                               : fmt::format("{} of {} solutions{}", solutions_, options_.count, more));
+}
+
 /// Executions that break asserts may come to mistakes that are none; the others may not.
 void Search::check_mistakes() {
   TracingOptions tracing = session_.tracing_options();
@@ -104,10 +110,12 @@ std::optional<Solution> Search::next(Progress& progress) {
   series_.on_improvement([&](const Solution& solution) {
     const auto lock = watchdog_.delivering();
     best_so_far_ = solution;
+    show_progress(progress, "; the next so far: " + quality_text(solution));
     time.extend();
   });
+  show_progress(progress, "");
   series_.explore();
-  progress.update(solutions_, series_.engine().graph().size());
+  show_progress(progress, fmt::format(", graph of {} nodes", series_.engine().graph().size()));
   return series_.next();
 }
 

@@ -39,6 +39,7 @@ class Search {
   ExitStatus finish(Ending ending, const Close& close) const;
   ExitStatus status(Ending ending) const;
   void summarize(Ending ending) const;
+  void show_progress(Progress& progress, const std::string& more) const;
   void check_mistakes();
   void explain() const;
 

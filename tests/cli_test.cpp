@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include <z3++.h>
 
+#include "scene/gltf_reader.h"
 #include "tests/command.h"
 
 namespace solitaire {
@@ -310,6 +311,117 @@ TEST_CASE("cli: a script is found, and its imports and assets, from any folder")
         "solution 1: 5\n");
   CHECK(run({"sh", "-c", "cd \"$1/sub\" && \"$0\" solve main.sol -q", SOLITAIRE_PROGRAM, place.path()}).out ==
         "solution 1: 5\n");
+}
+
+constexpr const char* kTight =
+    "a = range(0, 3);\nb = range(0, 3);\nassert(a + b > 8, \"roomy\");\nassert(a != b);\n"
+    "place(\"chair\", at: [a, 0], size: [1, 1]);\nplace(\"desk\", at: [0, 9], size: [2, 1]);\nreturn [a, "
+    "b];\n";
+
+TEST_CASE("cli: a search that finds nothing says which conditions cannot hold together") {
+  const Workplace place;
+  const std::string tight = place.file("tight.sol", kTight);
+  const Outcome outcome = run_solitaire({"solve", tight});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out == "");
+  CHECK(has(outcome.err, "proved that there is none"));
+  CHECK(has(outcome.err, "tight.sol:3:8: assert: a + b > 8"));
+  CHECK(has(outcome.err, "range: a is at most 3"));
+  CHECK(!has(outcome.err, "a != b"));
+  CHECK(run_solitaire({"solve", tight, "-q"}).err == "");
+}
+
+TEST_CASE("cli: --relax gives near misses, and says and shows what is broken") {
+  const Workplace place;
+  const std::string tight = place.file("tight.sol", kTight);
+  const Outcome outcome = run_solitaire({"solve", tight, "--relax"});
+  CHECK(outcome.status == 0);
+  CHECK(has(outcome.out, "1 assert broken, proved the best left"));
+  CHECK(has(outcome.out, "broken: tight.sol:3:8: a + b > 8 (at assert): roomy"));
+
+  CHECK(run_solitaire({"generate", tight, "--relax", "-n", "1", "-o", place / "near"}).status == 0);
+  const json file = json::parse(bytes_of(place / "near/tight-0001.json"));
+  CHECK(file["optimal"] == true);
+  REQUIRE(file["broken"].size() == 1);
+  CHECK(file["broken"][0]["source"] == "tight.sol:3:8");
+  CHECK(file["broken"][0]["message"] == "roomy");
+  // The chair stands where the broken assert's choice says, the desk does not.
+  const tinygltf::Model scene = read_gltf(place / "near/tight-0001.glb");
+  std::size_t marked = 0;
+  for (const tinygltf::Node& node : scene.nodes) {
+    if (!node.extras.IsObject() || !node.extras.Has("address")) continue;
+    const bool is_chair = node.extras.Get("address").Get<std::string>() == "place";
+    CHECK(node.extras.Has("broken") == is_chair);
+    marked += node.extras.Has("broken") ? 1 : 0;
+  }
+  CHECK(marked == 1);
+  CHECK(has(bytes_of(place / "near/index.html"), "broken: tight.sol:3:8"));
+}
+
+TEST_CASE("cli: of a program with wishes the best come first, with their cost") {
+  const Workplace place;
+  const std::string script =
+      place.file("wish.sol", "x = range(0, 9);\nassert(x != 3);\nminimize(abs(x - 3));\nreturn x;\n");
+  const Outcome outcome = run_solitaire({"solve", script, "--all", "--json"});
+  std::istringstream lines(outcome.out);
+  std::vector<int> costs;
+  for (std::string line; std::getline(lines, line);) {
+    const json solution = json::parse(line);
+    CHECK(solution["optimal"] == true);
+    costs.push_back(solution["cost"]);
+  }
+  CHECK(costs == std::vector<int>{1, 1, 2, 2, 3, 3, 4, 5, 6});
+  const Outcome generated = run_solitaire({"generate", script, "-n", "2", "-o", place / "out"});
+  CHECK(has(generated.err, "wish-0001: cost 1, proved the best left"));
+  CHECK(has(bytes_of(place / "out/index.html"), "cost 1, proved the best left"));
+}
+
+TEST_CASE("cli: check --deep finds the mistakes that some choices lead to, and says which") {
+  const Workplace place;
+  const std::string script = place.file("deep.sol",
+                                        "x = range(0, 9);\nf = flip();\nassert(x > 3);\n"
+                                        "if x == 7 and f then { z = 1 + \"a\"; }\n"
+                                        "if x == 2 then { z = 1 + nil; }\n"
+                                        "if x > 8 then { z = x.w; }\n");
+  const Outcome outcome = run_solitaire({"check", script, "--deep"});
+  CHECK(outcome.status == 3);
+  CHECK(has(outcome.err, "deep.sol:4:28: error: '+' does not go with an int and a string"));
+  CHECK(has(outcome.err, "note: where x = 7, f = true"));
+  CHECK(has(outcome.err, "deep.sol:6:23: error: an int has no fields"));
+  CHECK(has(outcome.err, "note: where x = 9"));
+  CHECK(has(outcome.err, "2 errors"));  // the one under x == 2 cannot be reached
+  const std::string fine = place.file("fine.sol", "n = range(0, 50);\nwhile n > 0 { n -= 1; }\n");
+  CHECK(run_solitaire({"check", fine, "--deep"}).status == 0);
+}
+
+TEST_CASE("cli: --resume goes on with an earlier run, and refuses one that was another") {
+  const Workplace place;
+  const std::string script = place.file("scene.sol", kScene);
+  const auto generate = [&](const char* folder, const char* count, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"generate", script, "-n", count, "-o", place / folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_solitaire(arguments);
+  };
+  CHECK(generate("whole", "40", {}).status == 0);
+  CHECK(generate("parts", "7", {"--resume"}).status == 0);  // nothing to go on with yet
+  const Outcome second = generate("parts", "40", {"--resume"});
+  CHECK(second.status == 0);
+  CHECK(has(second.err, "40 solutions (7 of them earlier)"));
+  CHECK(run({"diff", "-r", place / "whole", place / "parts"}).out == "");
+  CHECK(generate("parts", "12", {"--resume"}).status == 0);  // more than that is there already
+
+  const std::string page = bytes_of(place / "parts/index.html");
+  const Outcome other_seed = generate("parts", "50", {"--resume", "--seed", "4"});
+  CHECK(other_seed.status == 3);
+  CHECK(has(other_seed.err, "scene-0001.json: comes from a run with another seed: 0 and not 4"));
+  place.file("scene.sol", std::string("assert(range(0, 1) == 1);\n") + kScene);
+  const Outcome other_program = generate("parts", "50", {"--resume"});
+  CHECK(other_program.status == 3);
+  CHECK(has(other_program.err, "has the program changed?"));
+  place.file("parts/scene-0002.json", "{");
+  CHECK(
+      has(generate("parts", "50", {"--resume"}).err, "scene-0002.json: is not the .json file of a solution"));
+  CHECK(bytes_of(place / "parts/index.html") == page);
 }
 
 }  // namespace

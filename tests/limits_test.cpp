@@ -443,5 +443,57 @@ TEST_CASE("limits: so does one whose time is over at any moment") {
   }
 }
 
+/// Interrupts a run by the signal, at the moment, again and again until it comes to its end, and compares
+/// what is there then with a run that was left in peace.
+void check_resumed(int signal, int milliseconds_each) {
+  const Workplace place;
+  const std::string script = place.file("many.sol", kMany);
+  const Arguments whole = {"generate", script, "-n", "150", "-o", place / "whole"};
+  const Arguments parts = {"generate", script, "-n", "150", "-o", place / "parts", "--resume"};
+  REQUIRE(run_solitaire(whole).status == 0);
+  for (int i = 0; i < 6; ++i) {
+    Command command(solitaire_with(parts));
+    std::this_thread::sleep_for(milliseconds(milliseconds_each * (1 + i % 3)));
+    command.signal(signal);
+    const int status = command.wait().status;
+    CHECK((status == 0 || status == 4 || status == 128 + signal));
+    check_whole(place / "parts");
+  }
+  CHECK(run_solitaire(parts).status == 0);
+  for (const fs::path& file : entries(place / "parts")) {
+    if (file.extension() == ".part") fs::remove(file);
+  }
+  CHECK(run({"diff", "-r", place / "whole", place / "parts"}).out == "");
+}
+
+TEST_CASE("limits: a run that was killed again and again goes on to what it would have come to") {
+  check_resumed(SIGKILL, 40);
+}
+TEST_CASE("limits: so does one that was interrupted again and again") { check_resumed(SIGINT, 60); }
+
+TEST_CASE("limits: of a search for the best, the best so far is kept") {
+  const Workplace place;
+  const std::string script = place.file("best.sol",
+                                        "xs = [range(0, 999) for i in 1..12];\nassert(distinct(xs));\n"
+                                        "minimize(sum([abs(xs[i] * xs[i + 1] - 997 * i) for i in 0..10]));\n"
+                                        "place(\"chair\", at: [xs[0], xs[1]], size: [1, 1]);\nreturn xs;\n");
+  for (const std::string engine : {"cadical", "z3"}) {
+    CAPTURE(engine);
+    const fs::path out = place / engine;
+    const double seconds = seconds_of([&] {
+      const Outcome outcome =
+          run_solitaire({"generate", script, "-n", "1", "--engine", engine, "--timeout", "1.5", "-o", out});
+      CHECK((outcome.status == 4 || outcome.status == 0));  // with the limit as the solution came
+      CHECK(has(outcome.err, "not proved the best left"));
+    });
+    CHECK(seconds < 1.5 + kPromptly);
+    CHECK(solutions_in(out) == 1);
+    check_ended_in_order(out);
+  }
+  // With a time for each solution, the search for others goes on.
+  const Outcome outcome = run_solitaire({"solve", script, "-n", "3", "--per-solution", "0.4"});
+  CHECK(outcome.status == 0);
+}
+
 }  // namespace
 }  // namespace solitaire
