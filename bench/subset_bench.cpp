@@ -23,7 +23,8 @@ void explore_subset(benchmark::State& state) {
   for (auto _ : state) {
     Graph graph;
     AddressTable addresses;
-    Explorer explorer(program, {{"n", Value(state.range(0))}}, {}, 0, {}, graph, addresses);
+    OpenChoices choices;
+    Explorer explorer(program, {{"n", Value(state.range(0))}}, {}, 0, {}, choices, graph, addresses);
     explorer.start();
     if (!explorer.pass().trace.blockers.empty()) state.SkipWithError("not all paths were explored");
     state.counters["nodes"] = static_cast<double>(graph.size());
