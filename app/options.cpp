@@ -3,6 +3,8 @@
 #include <charconv>
 #include <fmt/format.h>
 
+#include "app/formula.h"
+
 namespace solitaire {
 namespace {
 
@@ -126,6 +128,12 @@ void add_search_options(CLI::App& command, Options& options) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, Distinct>{{"choices", Distinct::kChoices},
                                                                           {"result", Distinct::kResult}})
                       .description("choices|result"));
+  command
+      .add_option(
+          "--formula", options.formula,
+          "write what holds in the solutions that are left at the end, which is unsatisfiable if there "
+          "are none: as SMT-LIB (.smt2) or as clauses (.cnf)")
+      ->check(CLI::Validator(check_formula_name, "FILE.smt2|FILE.cnf"));
 }
 
 }  // namespace solitaire

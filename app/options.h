@@ -52,6 +52,7 @@ struct Options {
   std::uint64_t more = 0;  // conflicts after the first
   bool choices = false;    // explain every choice
   bool thorough = false;
+  std::optional<std::filesystem::path> formula;  // where what is left at the end is written to
 
   Exploration exploration() const;
 };

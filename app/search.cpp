@@ -4,6 +4,7 @@
 
 #include "app/console.h"
 #include "app/explanation.h"
+#include "app/formula.h"
 #include "app/report.h"
 #include "app/solution_json.h"
 
@@ -41,6 +42,7 @@ ExitStatus Search::run(const Found& found, const Close& close) {
   });
   try {
     const Ending ending = deliver_all(found, progress);
+    if (options_.formula && ending != Ending::kStopped) write_formula(series_.engine(), *options_.formula);
     ExitStatus status = kDelivered;
     {
       const auto lock = watchdog_.delivering();

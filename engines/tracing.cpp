@@ -365,11 +365,14 @@ std::vector<NodeId> TracingEngine::formula() {
     if (firm(required)) conditions.push_back(graph_.implication(required.guard, required.condition));
   }
   for (const PinnedChoice& pinned : pinned_choices(graph_, trace, pins_)) conditions.push_back(pinned.holds);
-  for (const TraceBlocker& blocker : trace.blockers) conditions.push_back(graph_.negation(blocker.guard));
+  if (ending_ != Ending::kExhausted) {  // the proof does without them, else it would be one of explored paths
+    for (const TraceBlocker& blocker : trace.blockers) conditions.push_back(graph_.negation(blocker.guard));
+  }
   for (const TraceMistake& mistake : trace.mistakes) conditions.push_back(graph_.negation(mistake.guard));
   for (const Known& known : known_) {
+    if (!known.differs) continue;
     NodeId differs = kFalse;
-    for (const NodeId one : known.differs) differs = graph_.disjunction(differs, one);
+    for (const NodeId one : *known.differs) differs = graph_.disjunction(differs, one);
     conditions.push_back(differs);
   }
   std::erase(conditions, kTrue);
@@ -399,7 +402,7 @@ void TracingEngine::exclude_known(Known& known) {
     const NodeId equal = graph_.apply(Op::kEqInt, {answer.first, graph_.constant(answer.second)});
     if (equal != kTrue) differs.push_back(graph_.negation(equal));
   }
-  if (differs == known.differs && !differs.empty()) return;
+  if (known.differs == differs) return;
   solver_.add_clause(differs);
   known.differs = std::move(differs);
 }

@@ -50,14 +50,16 @@ class TracingEngine : public Engine {
   /// Looks into every side that an execution can come to, for all mistakes: each with the choices that lead
   /// there, which have been run. `complete` says whether no limit came first.
   std::vector<Diagnostic> find_mistakes(bool* complete);
-  /// All that holds in the solutions that are left, on the paths explored so far.
+  /// All that holds in the solutions that are left, on the paths explored so far; on any path, once it is
+  /// proved that there are none.
   std::vector<NodeId> formula();
 
  private:
   using Outcome = ExecutionSolver::Outcome;
   struct Known {
     std::map<AddressId, std::int64_t> values;
-    std::vector<NodeId> differs;  // what the solver was told last: one of them holds
+    /// What the solver was told last: one of them holds. Nothing while the solution is on unexplored paths.
+    std::optional<std::vector<NodeId>> differs;
   };
   struct Found {
     Solution solution;

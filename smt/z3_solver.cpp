@@ -160,7 +160,7 @@ std::string to_smt2(const Graph& graph, const AddressTable& addresses, std::span
     for (const z3::expr& domain : encoder.take_domains()) solver.add(domain);
     solver.add(term);
   }
-  return solver.to_smt2();
+  return "(set-logic QF_BV)\n" + solver.to_smt2();
 }
 
 }  // namespace solitaire

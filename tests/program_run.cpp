@@ -4,24 +4,47 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "tests/proof.h"
+
 namespace solitaire {
 
 std::filesystem::path tests_folder() { return std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "tests"; }
 
 LoadOptions library() { return {{std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "solitaire"}}; }
 
-std::vector<Found> all_solutions(Engine& engine) {
-  std::vector<Found> all;
-  while (const auto solution = engine.next()) {
-    Found found{to_text(solution->execution.value), {}, solution->execution.printed};
-    for (const AnsweredChoice& choice : readable(solution->choices, engine.addresses())) {
-      found.choices.push_back(fmt::format("{} = {}", choice.address, choice.value));
-    }
-    all.push_back(std::move(found));
+namespace {
+
+Found found(const Solution& solution, const Engine& engine) {
+  Found made{to_text(solution.execution.value), {}, solution.execution.printed};
+  for (const AnsweredChoice& choice : readable(solution.choices, engine.addresses())) {
+    made.choices.push_back(fmt::format("{} = {}", choice.address, choice.value));
   }
+  return made;
+}
+
+std::vector<Found> sorted(std::vector<Found> all) {
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());  // each solution once
   return all;
+}
+
+}  // namespace
+
+std::vector<Found> all_solutions(Engine& engine) {
+  std::vector<Found> all;
+  while (const auto solution = engine.next()) all.push_back(found(*solution, engine));
+  return sorted(std::move(all));
+}
+
+std::optional<std::vector<Found>> brute_force(const Program& program, const ParamValues& params,
+                                              std::uint64_t most_executions) {
+  ExhaustiveEngine engine(program, params, {});
+  std::vector<Found> all;
+  while (const auto solution = engine.next()) {
+    if (engine.executions() > most_executions) return std::nullopt;
+    all.push_back(found(*solution, engine));
+  }
+  return sorted(std::move(all));
 }
 
 std::vector<Found> all_solutions(const Program& program, const ParamValues& params, Way way) {
@@ -38,6 +61,7 @@ std::vector<Found> all_solutions(const Program& program, const ParamValues& para
   TracingEngine engine(program, params, options);
   auto found = all_solutions(engine);
   if (way != Way::kRandom) CHECK(engine.ending() == Ending::kExhausted);
+  if (way == Way::kDemand) check_that_nothing_is_left(engine);
   return found;
 }
 

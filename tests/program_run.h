@@ -30,8 +30,13 @@ std::vector<Found> all_solutions(Engine& engine);
 enum class Way { kDemand, kZ3, kRandom, kExhaustive };
 
 /// All solutions of a program by one of the engines, sorted. kRandom explores a number of random executions,
-/// and may therefore miss some. Throws ProgramError.
+/// and may therefore miss some; for kDemand, other solvers confirm that there are no more. Throws
+/// ProgramError.
 std::vector<Found> all_solutions(const Program& program, const ParamValues& params, Way way);
+
+/// All solutions by running every execution, sorted; nothing if there are more than so many executions.
+std::optional<std::vector<Found>> brute_force(const Program& program, const ParamValues& params,
+                                              std::uint64_t most_executions);
 
 /// The program of a script below tests/.
 Program load(const std::string& path);
