@@ -29,8 +29,8 @@
 #include <vector>
 
 #include "engines/distinct.h"
-#include "engines/tracing.h"
 #include "scene/scene.h"
+#include "tests/program_run.h"
 
 namespace solitaire {
 namespace {
@@ -41,6 +41,8 @@ const fs::path kSource = SOLITAIRE_SOURCE_DIR;
 /// Pages count solutions of small programs only.
 constexpr std::size_t kMostSolutions = 20'000;
 constexpr std::chrono::seconds kLongest{120};
+/// Of larger ones only other solvers confirm that these are all.
+constexpr std::uint64_t kMostExecutions = 10'000;
 
 struct Expectation {
   std::string text;
@@ -190,7 +192,12 @@ void check_solutions(const PageProgram& shown, const Program& program, const Par
     values.insert(to_text(solution->execution.value));
     if (results.add(solution->execution)) ++distinct;
   }
-  if (wants_all) CHECK(engine.ending() == Ending::kExhausted);
+  if (wants_all) {
+    CHECK(engine.ending() == Ending::kExhausted);
+    const std::vector<Found> confirmed = all_solutions(program, params, Way::kDemand);
+    CHECK(confirmed.size() == solutions);
+    if (const auto expected = brute_force(program, params, kMostExecutions)) CHECK(confirmed == *expected);
+  }
   if (shown.expects("value")) CHECK(values == texts_of(shown.of("value")));
   if (shown.expects("results")) CHECK(std::to_string(distinct) == shown.of("results").front().text);
   if (shown.expects("solutions")) {
