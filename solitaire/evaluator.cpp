@@ -10,7 +10,7 @@ namespace {
 /// How much of the stack stays free for what an evaluation calls at its deepest point.
 constexpr std::size_t kStackReserve = std::size_t{2} << 20;
 
-const char* find_stack_limit() {
+const char* find_stack_limit() {  // for the first thread of a process, by reading a file
   pthread_attr_t attributes;
   if (pthread_getattr_np(pthread_self(), &attributes) != 0) return nullptr;
   void* lowest = nullptr;
@@ -18,6 +18,11 @@ const char* find_stack_limit() {
   pthread_attr_getstack(&attributes, &lowest, &size);
   pthread_attr_destroy(&attributes);
   return static_cast<const char*>(lowest) + std::min(kStackReserve, size / 2);
+}
+
+const char* stack_limit() {
+  thread_local const char* const limit = find_stack_limit();
+  return limit;
 }
 
 }  // namespace
@@ -33,7 +38,7 @@ Evaluator::Evaluator(const Program& program, const ParamValues& params, Choices&
       recorder_(recorder),
       limits_(limits),
       path_(graph),
-      stack_limit_(find_stack_limit()),
+      stack_limit_(stack_limit()),
       module_frames_(program.modules.size()),
       module_done_(program.modules.size()) {
   for (std::uint32_t module = 0; module < program.modules.size(); ++module) {
