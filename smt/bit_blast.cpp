@@ -82,6 +82,23 @@ Literal BitBlaster::condition(NodeId node) {
   return literal(node);
 }
 
+void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& literals) {
+  const Graph::Node& negation = graph_.node(condition);
+  const Graph::Node& equality = graph_.node(negation.operands[0]);
+  const auto [choice, constant, unused] = equality.operands;
+  if (negation.op != Op::kNot || equality.op != Op::kEqInt || graph_.node(choice).op != Op::kChoice ||
+      !graph_.node(constant).is_constant()) {
+    literals.push_back(this->condition(condition));
+    return;
+  }
+  blast(choice);
+  const std::size_t variable = graph_.node(choice).payload;
+  const std::uint64_t value = bits_of(variable, interval(constant).lo);
+  for (std::size_t i = 0; i < choices_[variable].size(); ++i) {
+    literals.push_back(choices_[variable][i] ^ (((value >> i) & 1) != 0));
+  }
+}
+
 /// Operands first, on an own stack: the graph can be deeper than the machine's.
 void BitBlaster::blast(NodeId node) {
   nodes_.resize(graph_.size());

@@ -22,6 +22,10 @@ class BitBlaster {
   /// The literal of a bool node. Throws std::logic_error for a node of floats. The bounds of choices that are
   /// met go to the Cnf.
   Literal condition(NodeId node);
+  /// Adds literals of which one holds where the condition does. That a choice has another value than this one
+  /// is said by its bits: clauses that keep thousands of solutions from coming again need no further
+  /// variables.
+  void add_alternatives(NodeId condition, std::vector<Literal>& literals);
   /// The bits of a choice variable; none if no condition has met it.
   std::span<const Literal> choice_bits(std::size_t variable) const;
   /// The value of a choice, from the value of its bits read as an unsigned number.

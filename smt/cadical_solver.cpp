@@ -43,7 +43,7 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   void add_clause(std::span<const NodeId> conditions) override {
     std::vector<Literal> literals;
-    for (const NodeId condition : conditions) literals.push_back(blaster_.condition(condition));
+    for (const NodeId condition : conditions) blaster_.add_alternatives(condition, literals);
     cnf_.add_clause(literals);
   }
 

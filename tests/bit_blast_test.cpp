@@ -233,6 +233,26 @@ TEST_CASE("cadical: a division by zero that does not matter rules nothing out") 
   }
 }
 
+TEST_CASE("cadical: with each pair of values excluded once found, every pair is found once") {
+  const StopSignal never;
+  const std::vector<ChoiceDomain> domains = {
+      {0, 1, 1, {}}, {-3, 4, 1, {}}, {-9, -2, 1, {}}, {5, 6, 1, {}}, {-5, 16, 7, {}}};
+  for (const ChoiceDomain& a : domains) {
+    for (const ChoiceDomain& b : domains) {
+      Quotients q(a, b);
+      const auto solver = make_cadical_solver(q.graph, {});
+      std::size_t found = 0;
+      for (; solver->check({}, never) == Verdict::kSatisfiable; ++found) {
+        const NodeId differs[] = {q.graph.negation(q.is(q.x, solver->value(0))),
+                                  q.graph.negation(q.is(q.y, solver->value(1)))};
+        solver->add_clause(differs);
+      }
+      const auto size = [](const ChoiceDomain& domain) { return (domain.hi - domain.lo) / domain.step + 1; };
+      REQUIRE(found == static_cast<std::size_t>(size(a) * size(b)));
+    }
+  }
+}
+
 TEST_CASE("bits: operations on numbers of literals, at every width up to 5") {
   for (std::size_t width = 1; width <= 5; ++width) {
     const std::int64_t count = std::int64_t{1} << width;

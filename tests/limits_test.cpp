@@ -258,7 +258,7 @@ TEST_CASE("limits: --per-solution ends a large formula for Z3") { check_per_solu
 
 TEST_CASE("limits: the time of --per-solution starts anew with each solution") {
   const Workplace place;
-  const std::string script = place.file("p.sol", "x = range(0, 800);\nreturn x;\n");
+  const std::string script = place.file("p.sol", "x = range(0, 8000);\nreturn x;\n");
   const auto solve = [&](const Arguments& limit) {
     Arguments arguments = {"solve", script, "--all", "--json"};
     arguments.insert(arguments.end(), limit.begin(), limit.end());
