@@ -1,7 +1,6 @@
 #pragma once
-#include <unordered_map>
-
 #include "engines/engine.h"
+#include "engines/odometer.h"
 
 namespace solitaire {
 
@@ -19,21 +18,6 @@ class ExhaustiveEngine : public Engine {
   std::uint64_t executions() const { return executions_; }
 
  private:
-  class Odometer : public Choices {
-   public:
-    std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain& domain) override;
-    /// Goes to the next execution; false if there was none.
-    bool advance();
-    void rewind() { depth_ = 0; }
-
-   private:
-    struct Digit {
-      std::int64_t value, hi, step;
-    };
-    std::vector<Digit> digits_;
-    std::size_t depth_ = 0;
-  };
-
   const Program& program_;
   ParamValues params_;
   Limits limits_;
