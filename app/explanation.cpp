@@ -48,17 +48,19 @@ std::string value_text(std::int64_t value, ChoiceKind kind) {
   return fmt::to_string(value);
 }
 
-/// Whether both are ends of the same range.
+/// Whether both are ends of the same range, and numbers.
 bool same_range(const Condition& a, const Condition& b) {
   return a.pin == nullptr && b.pin == nullptr && a.address == b.address && a.span == b.span &&
-         a.requirement == Requirement::kLowEnd && b.requirement == Requirement::kHighEnd;
+         a.requirement == Requirement::kLowEnd && b.requirement == Requirement::kHighEnd && a.domain &&
+         b.domain;
 }
 
 std::string end_text(const Condition& condition, const std::string& choice) {
-  const ChoiceDomain& domain = *condition.domain;
-  if (condition.requirement == Requirement::kStep) return choice + " is one of the values of its range";
+  if (condition.requirement == Requirement::kStep) return choice + " is one of the steps of its range";
   const bool low = condition.requirement == Requirement::kLowEnd;
-  return fmt::format("{} is at {} {}", choice, low ? "least" : "most", low ? domain.lo : domain.hi);
+  if (!condition.domain) return fmt::format("{} is not {} its range", choice, low ? "below" : "above");
+  return fmt::format("{} is at {} {}", choice, low ? "least" : "most",
+                     low ? condition.domain->lo : condition.domain->hi);
 }
 
 /// An address says something where a call or a loop turn led there.

@@ -1,5 +1,6 @@
 #include "engines/condition_solver.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "tracegraph/cone.h"
@@ -31,8 +32,9 @@ const std::vector<TracedCondition>& ConditionSolver::all() {
   return traced_;
 }
 
-ConditionSolver::Outcome ConditionSolver::find(const Wanted& wanted, const std::function<NodeId()>& also) {
-  return solver_.find([&] {
+ConditionSolver::Outcome ConditionSolver::find(const Wanted& wanted, const std::function<NodeId()>& also,
+                                               Ends ends) {
+  const auto conditions = [&] {
     asked_.clear();
     std::vector<NodeId> nodes;
     for (const TracedCondition& each : all()) {
@@ -42,7 +44,8 @@ ConditionSolver::Outcome ConditionSolver::find(const Wanted& wanted, const std::
     }
     if (also) nodes.push_back(graph_.disjunction(also(), solver_.unexplored()));
     return nodes;
-  });
+  };
+  return solver_.find(conditions, ends);
 }
 
 ConditionSolver::Outcome ConditionSolver::find(const Conditions& wanted) {
@@ -58,6 +61,13 @@ ConditionSolver::Conditions ConditionSolver::core() {
     if (it != by_node.end()) members.insert(*it->second);
   }
   return members;
+}
+
+std::size_t ConditionSolver::inexpressible() {
+  all();
+  const auto& mistakes = solver_.trace().mistakes;
+  return static_cast<std::size_t>(std::count_if(
+      mistakes.begin(), mistakes.end(), [](const TraceMistake& mistake) { return !mistake.of_program; }));
 }
 
 std::set<AddressId> ConditionSolver::choices_below(const Conditions& conditions) {

@@ -8,10 +8,12 @@ namespace solitaire {
 
 /// Asks which conditions of a program can hold together. A condition that is left out is one that executions
 /// may break: they go on past a broken assert or a choice outside of its range, and end where a list has no
-/// element or nothing is there to choose from.
+/// element or nothing is there to choose from. They also end where they come to a mistake of the program,
+/// or run for long: its asserts may be there to keep them from that.
 class ConditionSolver {
  public:
   using Outcome = ExecutionSolver::Outcome;
+  using Ends = ExecutionSolver::Ends;
   using Conditions = std::set<Condition>;
   using Wanted = std::function<bool(const Condition&)>;
 
@@ -21,8 +23,11 @@ class ConditionSolver {
   /// All conditions that have been met so far. Throws Interrupted.
   const std::vector<TracedCondition>& all();
   /// Whether those that are wanted can hold together; `also`, a bool node of graph(), too.
-  Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr);
+  Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr,
+               Ends ends = Ends::kMistakesAndCuts);
   Outcome find(const Conditions& wanted);
+  /// How often the newest pass met what it cannot express; no execution is found that comes there.
+  std::size_t inexpressible();
   /// After kNone: those of the wanted ones that cannot hold together. Of several that mean the same, one.
   Conditions core();
   /// The addresses of the choices that the conditions depend on.

@@ -1,5 +1,6 @@
 #include "engines/conditions.h"
 
+#include <algorithm>
 #include <map>
 
 namespace solitaire {
@@ -8,6 +9,13 @@ namespace {
 bool is_end(Requirement requirement) {
   return requirement == Requirement::kLowEnd || requirement == Requirement::kHighEnd ||
          requirement == Requirement::kStep;
+}
+
+/// Whether an end is the same in all executions. Its condition compares it with the choice.
+bool is_fixed(const Graph& graph, NodeId condition) {
+  const auto operands = graph.node(condition).args();
+  return std::any_of(operands.begin(), operands.end(),
+                     [&](NodeId operand) { return graph.node(operand).is_constant(); });
 }
 
 }  // namespace
@@ -26,7 +34,7 @@ std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pin
 
   for (const TraceAssert& each : trace.asserts) {
     Condition condition{each.requirement, each.address, each.span, each.whole, each.message, nullptr, {}};
-    if (is_end(each.requirement)) condition.domain = domains[each.address];
+    if (is_end(each.requirement) && is_fixed(graph, each.condition)) condition.domain = domains[each.address];
     add(std::move(condition), each.guard, graph.implication(each.guard, each.condition));
   }
   for (const PinnedChoice& pinned : pinned_choices(graph, trace, pins)) {

@@ -63,9 +63,12 @@ NodeId ExecutionSolver::unexplored() {
   return any;
 }
 
-std::vector<NodeId> ExecutionSolver::closed_sides() const {
+std::vector<NodeId> ExecutionSolver::closed_sides(Ends ends) const {
   std::vector<NodeId> closed;
-  for (const TraceBlocker& blocker : trace().blockers) closed.push_back(graph_.negation(blocker.guard));
+  for (const TraceBlocker& blocker : trace().blockers) {
+    if (ends == Ends::kMistakesAndCuts && blocker.side.kind == BranchSide::Kind::kCut) continue;
+    closed.push_back(graph_.negation(blocker.guard));
+  }
   return closed;
 }
 
@@ -79,14 +82,17 @@ Verdict ExecutionSolver::check(std::vector<NodeId> assumptions) {
   return verdict;
 }
 
-ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions) {
+ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions, Ends ends) {
   const auto without_mistakes = [&] {
     std::vector<NodeId> all = conditions();
-    for (const TraceMistake& mistake : trace().mistakes) all.push_back(graph_.negation(mistake.guard));
+    for (const TraceMistake& mistake : trace().mistakes) {
+      if (ends != Ends::kNone && mistake.of_program) continue;
+      all.push_back(graph_.negation(mistake.guard));
+    }
     return all;
   };
   while (true) {
-    const Outcome outcome = find_explored(without_mistakes);
+    const Outcome outcome = find_explored(without_mistakes, ends);
     if (outcome != Outcome::kNone) return outcome;
     const std::vector<std::size_t> in_the_way = blockers_in_core();
     if (in_the_way.empty()) return Outcome::kNone;
@@ -98,14 +104,14 @@ ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions) {
   }
 }
 
-ExecutionSolver::Outcome ExecutionSolver::find_explored(const Conditions& conditions) {
+ExecutionSolver::Outcome ExecutionSolver::find_explored(const Conditions& conditions, Ends ends) {
   try {
     explore();
   } catch (const Interrupted&) {
     return Outcome::kStopped;
   }
   std::vector<NodeId> assumptions = conditions();
-  const std::vector<NodeId> closed = closed_sides();
+  const std::vector<NodeId> closed = closed_sides(ends);
   assumptions.insert(assumptions.end(), closed.begin(), closed.end());
   switch (check(std::move(assumptions))) {
     case Verdict::kSatisfiable:

@@ -80,11 +80,13 @@ class ExecutionSolver {
   /// Conditions that depend on the newest pass. They may only say what a longer execution that begins like
   /// one of the trace cannot undo, as a broken assert is; or else they hold where unexplored() does.
   using Conditions = std::function<std::vector<NodeId>()>;
-  /// Looks for an execution that fulfils the conditions and comes to no mistake. They are asked for again
-  /// after each further pass.
-  Outcome find(const Conditions& conditions);
+  /// Where an execution may end, and still be found, but at the end of the program: at a mistake of the
+  /// program; and where its path was cut, since it runs for long. Never at what a pass cannot express.
+  enum class Ends : std::uint8_t { kNone, kMistakes, kMistakesAndCuts };
+  /// Looks for an execution that fulfils the conditions. They are asked for again after each further pass.
+  Outcome find(const Conditions& conditions, Ends ends = Ends::kNone);
   /// Whether an execution on the paths explored so far fulfils the conditions, which may come to mistakes.
-  Outcome find_explored(const Conditions& conditions);
+  Outcome find_explored(const Conditions& conditions, Ends ends = Ends::kNone);
 
   /// From now on one of the conditions holds.
   void add_clause(std::span<const NodeId> conditions) { solver_->add_clause(conditions); }
@@ -112,7 +114,7 @@ class ExecutionSolver {
 
  private:
   void sync();
-  std::vector<NodeId> closed_sides() const;
+  std::vector<NodeId> closed_sides(Ends ends) const;
   Verdict check(std::vector<NodeId> assumptions);
   std::vector<std::size_t> blockers_in_core() const;
   bool open(const std::vector<std::size_t>& blockers);

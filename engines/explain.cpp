@@ -1,6 +1,7 @@
 #include "engines/explain.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace solitaire {
 namespace {
@@ -9,38 +10,58 @@ using Conditions = ConditionSolver::Conditions;
 using Outcome = ConditionSolver::Outcome;
 
 /// How far the ranges of choices are widened to find out whether their ends take part: by several times what
-/// they span, and no less than this.
+/// they span, beyond the numbers that the program compares them with, and no less than this.
 constexpr std::int64_t kLeastWidening = 64;
 constexpr std::int64_t kWidening = 4;
 /// Products of what lies further out would grow past 62 bits.
 constexpr std::int64_t kWidest = std::int64_t{1} << 28;
 
 bool is_end(const Condition& condition) {
-  return condition.pin == nullptr &&
-         (condition.requirement == Requirement::kLowEnd || condition.requirement == Requirement::kHighEnd);
+  if (condition.pin != nullptr) return false;
+  switch (condition.requirement) {
+    case Requirement::kLowEnd:
+    case Requirement::kHighEnd:
+    case Requirement::kStep:
+      return true;
+    default:
+      return false;
+  }
 }
 
-/// Leaves choices open, and those at some addresses, or all, free to lie outside of their ranges.
+/// Leaves choices open, and those at some addresses, or all, free to have any value around their ranges.
 class WideChoices : public Choices {
  public:
-  WideChoices(const std::set<AddressId>* wide, Pins& pins) : wide_(wide), pins_(pins) {}
+  WideChoices(const std::set<AddressId>* wide, std::int64_t reach, Pins& pins)
+      : wide_(wide), reach_(reach), pins_(pins) {}
 
   std::optional<std::int64_t> answer(AddressId, const ChoiceDomain&) override { return std::nullopt; }
 
   ChoiceDomain widened(AddressId address, const ChoiceDomain& domain) override {
     if ((wide_ != nullptr && wide_->count(address) == 0) || domain.kind != ChoiceKind::kInt) return domain;
-    std::int64_t by = std::max(kLeastWidening, kWidening * (domain.hi - domain.lo + 1));
-    for (const Pin* pin : pins_.at(address))
-      by = std::max({by, domain.lo - pin->value, pin->value - domain.hi});
-    if (by > kWidest) return domain;
-    by += (domain.step - by % domain.step) % domain.step;
-    return {domain.lo - by, domain.hi + by, domain.step, domain.kind};
+    const std::int64_t span = std::min(domain.hi - domain.lo + 1, kWidest);
+    std::int64_t by = std::clamp(std::max(kWidening * span, reach_), kLeastWidening, kWidest);
+    for (const Pin* pin : pins_.at(address)) {
+      const std::int64_t distance = std::max(domain.lo - pin->value, pin->value - domain.hi);
+      if (distance <= kWidest) by = std::max(by, distance);
+    }
+    return {domain.lo - by, domain.hi + by, 1, domain.kind};
   }
 
  private:
   const std::set<AddressId>* wide_;  // null: all
+  std::int64_t reach_;
   Pins& pins_;
 };
+
+/// The largest number that a graph knows, or its negative.
+std::int64_t largest_constant(const Graph& graph) {
+  std::int64_t largest = 0;
+  for (std::uint32_t i = 0; i < graph.size(); ++i) {
+    const Graph::Node& node = graph.node({i});
+    if (node.op == Op::kConstInt) largest = std::max(largest, std::abs(node.interval.lo));
+  }
+  return largest;
+}
 
 /// Leaves members out for as long as the rest cannot hold together; the fixed ones stay. False if some may be
 /// left that could be left out.
@@ -87,7 +108,8 @@ Explainer::Explainer(const Program& program, ParamValues params, const TracingOp
 
 std::optional<Conflict> Explainer::next_conflict() {
   if (ending_ != Ending::kNone) return std::nullopt;
-  ending_ = ending_of(solver_.find([this](const Condition& each) { return explained_.count(each) == 0; }));
+  const auto unexplained = [this](const Condition& each) { return explained_.count(each) == 0; };
+  ending_ = ending_of(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kMistakes));
   if (ending_ != Ending::kNone) return std::nullopt;
   Conditions members = solver_.core();
   const bool minimal = minimize(solver_, members, {});
@@ -100,33 +122,48 @@ std::optional<Conflict> Explainer::next_conflict() {
 }
 
 /// Where the choices lie within their ranges, intervals decide much that depends on them, and nothing tells
-/// any more on which of them. So this looks at a trace in which all are free.
-std::set<AddressId> Explainer::choices_below(const Conditions& members) {
-  WideChoices choices(nullptr, pins_);
-  ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
-  std::set<AddressId> below = wide.choices_below(members);
-  below.merge(solver_.choices_below(members));
-  return below;
+/// any more on which of them. So this looks at a trace in which all are free, as far as the solver's numbers
+/// allow that.
+std::optional<Explainer::Freedom> Explainer::choices_below(const Conditions& members) {
+  for (const std::int64_t reach :
+       {2 * std::min(largest_constant(solver_.graph()), kWidest), kLeastWidening}) {
+    WideChoices choices(nullptr, reach, pins_);
+    ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
+    if (wide.inexpressible() > solver_.inexpressible()) continue;
+    Conditions conditions = members;
+    Freedom freedom{{}, reach};
+    for (bool grows = true; grows;) {  // the ends of ranges depend on further choices
+      const std::size_t before = freedom.choices.size();
+      freedom.choices.merge(wide.choices_below(conditions));
+      freedom.choices.merge(solver_.choices_below(conditions));
+      for (const TracedCondition& each : wide.all()) {
+        if (is_end(each.condition) && freedom.choices.count(each.condition.address) != 0)
+          conditions.insert(each.condition);
+      }
+      grows = freedom.choices.size() > before;
+    }
+    return freedom;
+  }
+  return std::nullopt;
 }
 
 /// Completes a conflict by the ends of ranges that take part: its conditions cannot hold together because
 /// choices lie within their ranges, so these choices are freed, and the ends become conditions of their own.
 Conflict Explainer::complete(Conditions members, bool minimal) {
-  const std::set<AddressId> below = choices_below(members);
-  WideChoices choices(&below, pins_);
+  Conflict conflict{{members.begin(), members.end()}, false};
+  const std::optional<Freedom> freedom = choices_below(members);
+  if (!freedom) return conflict;
+  WideChoices choices(&freedom->choices, freedom->reach, pins_);
   ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
   const Outcome outcome = wide.find([&](const Condition& each) {
-    return members.count(each) != 0 || (is_end(each) && below.count(each.address) != 0);
+    return members.count(each) != 0 || (is_end(each) && freedom->choices.count(each.address) != 0);
   });
-  if (outcome == Outcome::kNone) {
-    Conditions with_ends = wide.core();
-    with_ends.insert(members.begin(), members.end());
-    minimal &= minimize(wide, with_ends, members);
-    members = std::move(with_ends);
-  } else {
-    minimal = false;  // it was not found out which ends take part
-  }
-  return {{members.begin(), members.end()}, minimal};
+  if (outcome != Outcome::kNone) return conflict;
+  Conditions with_ends = wide.core();
+  with_ends.insert(members.begin(), members.end());
+  conflict.minimal = minimize(wide, with_ends, members) && minimal;
+  conflict.members.assign(with_ends.begin(), with_ends.end());
+  return conflict;
 }
 
 }  // namespace solitaire

@@ -25,8 +25,14 @@ class Explainer {
  private:
   using Conditions = ConditionSolver::Conditions;
 
+  /// Choices that are free to lie outside of their ranges, and at least how far.
+  struct Freedom {
+    std::set<AddressId> choices;
+    std::int64_t reach;
+  };
+
   Conflict complete(Conditions members, bool minimal);
-  std::set<AddressId> choices_below(const Conditions& members);
+  std::optional<Freedom> choices_below(const Conditions& members);
 
   const Program& program_;
   ParamValues params_;

@@ -15,8 +15,8 @@ class Choices {
   /// A value of the domain for the choice at that address, or nothing to leave it open. Where the domain has
   /// symbolic ends it is the smallest that holds all of its possible values.
   virtual std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain& domain) = 0;
-  /// What a choice that is left open can be at most: its domain, or more of the same kind and step. Then the
-  /// ends of the domain are requirements.
+  /// What a choice that is left open can be at most: its domain, or more of the same kind, with the same
+  /// step or 1. Then the ends of the domain, and a step that is not the same, are requirements.
   virtual ChoiceDomain widened(AddressId, const ChoiceDomain& domain) { return domain; }
 };
 

@@ -60,23 +60,30 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   }
   const AddressId address = address_of(site.site.label);
   if (domain.lo > domain.hi) reject(Requirement::kNotEmpty, site.span, "", address);
+  if (limits_.keep_going && !fixed) {  // else the ends say it, but nothing could be chosen with one broken
+    const NodeId some = graph_.apply(Op::kLeInt, {node_of(graph_, lo), node_of(graph_, hi)});
+    require(some, Requirement::kNotEmpty, site.span, "", address);
+  }
   domain.hi -= (domain.hi - domain.lo) % domain.step;
 
   const auto answer = choices_.answer(address, domain);
   if (!answer && !symbolic()) throw std::logic_error("no answer for the choice " + text(address));
   const ChoiceDomain possible = answer ? domain : choices_.widened(address, domain);
-  const NodeId variable = answer ? graph_.constant(*answer) : graph_.choice({address, possible});
+  NodeId variable = answer ? graph_.constant(*answer) : graph_.choice({address, possible});
+  // Nothing but an element of a list can be chosen from it, also where executions go on past what they break.
+  const bool of_list = limits_.keep_going && kind == ChoiceKind::kIndex && !answer && !fixed;
+  if (of_list) variable = graph_.apply(Op::kMin, {variable, node_of(graph_, hi)});
   if (answer) execution_.choices.push_back({address, domain, *answer});
   if (symbolic()) recorder_->add(TraceChoice{path_.guard(), variable, address, domain, site.span});
   const bool known = fixed && known_step != nullptr;
   if (known && answer && holds(domain, *answer)) return *answer;  // as in nearly every execution
-  if (!known || answer || possible != domain) {
+  if (!of_list && (!known || answer || possible != domain)) {
     const NodeId first = node_of(graph_, lo);
     require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kLowEnd, site.span, "", address);
     require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), Requirement::kHighEnd, site.span, "",
             address);
   }
-  if (!step.identical(domain.step) || answer) {
+  if (!step.identical(domain.step) || answer || possible.step != domain.step) {
     const NodeId offset = apply(Op::kSub, {variable, node_of(graph_, lo)}, site.span);
     const NodeId rest = apply(Op::kMod, {offset, node_of(graph_, step)}, site.span);
     require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), Requirement::kStep, site.span,
