@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "engines/wide_choices.h"
+
 namespace solitaire {
 namespace {
 
 using Conditions = ConditionSolver::Conditions;
 using Outcome = ConditionSolver::Outcome;
-
-/// How far the ranges of choices are widened to find out whether their ends take part: by several times what
-/// they span, beyond the numbers that the program compares them with, and no less than this.
-constexpr std::int64_t kLeastWidening = 64;
-constexpr std::int64_t kWidening = 4;
-/// Products of what lies further out would grow past 62 bits.
-constexpr std::int64_t kWidest = std::int64_t{1} << 28;
 
 bool is_end(const Condition& condition) {
   if (condition.pin != nullptr) return false;
@@ -27,31 +22,6 @@ bool is_end(const Condition& condition) {
       return false;
   }
 }
-
-/// Leaves choices open, and those at some addresses, or all, free to have any value around their ranges.
-class WideChoices : public Choices {
- public:
-  WideChoices(const std::set<AddressId>* wide, std::int64_t reach, Pins& pins)
-      : wide_(wide), reach_(reach), pins_(pins) {}
-
-  std::optional<std::int64_t> answer(AddressId, const ChoiceDomain&) override { return std::nullopt; }
-
-  ChoiceDomain widened(AddressId address, const ChoiceDomain& domain) override {
-    if ((wide_ != nullptr && wide_->count(address) == 0) || domain.kind != ChoiceKind::kInt) return domain;
-    const std::int64_t span = std::min(domain.hi - domain.lo + 1, kWidest);
-    std::int64_t by = std::clamp(std::max(kWidening * span, reach_), kLeastWidening, kWidest);
-    for (const Pin* pin : pins_.at(address)) {
-      const std::int64_t distance = std::max(domain.lo - pin->value, pin->value - domain.hi);
-      if (distance <= kWidest) by = std::max(by, distance);
-    }
-    return {domain.lo - by, domain.hi + by, 1, domain.kind};
-  }
-
- private:
-  const std::set<AddressId>* wide_;  // null: all
-  std::int64_t reach_;
-  Pins& pins_;
-};
 
 /// The largest number that a graph knows, or its negative.
 std::int64_t largest_constant(const Graph& graph) {
@@ -126,7 +96,7 @@ std::optional<Conflict> Explainer::next_conflict() {
 /// allow that.
 std::optional<Explainer::Freedom> Explainer::choices_below(const Conditions& members) {
   for (const std::int64_t reach :
-       {2 * std::min(largest_constant(solver_.graph()), kWidest), kLeastWidening}) {
+       {2 * std::min(largest_constant(solver_.graph()), WideChoices::kMost), WideChoices::kLeast}) {
     WideChoices choices(nullptr, reach, pins_);
     ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
     if (wide.inexpressible() > solver_.inexpressible()) continue;

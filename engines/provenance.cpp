@@ -2,7 +2,7 @@
 // the cone of the nodes that these depend on.
 #include <algorithm>
 
-#include "engines/tracing.h"
+#include "engines/wide_trace.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
@@ -43,11 +43,23 @@ void TracingEngine::add_broken_choices(Solution& solution) {
     std::set<std::string> choices;
     for (const TraceAssert& part : solver_.trace().asserts) {
       if (part.span != broken.span || addresses_.text(part.address) != broken.address) continue;
-      for (const std::size_t number : variables_below(graph_, {&part.condition, 1}))
-        choices.insert(addresses_.text(graph_.variables()[number].address));
+      choices.merge(choices_below(part));
     }
     broken.choices.assign(choices.begin(), choices.end());
   }
+}
+
+/// The addresses of the choices that an assert depends on.
+std::set<std::string> TracingEngine::choices_below(const TraceAssert& part) {
+  std::set<std::string> addresses;
+  for (const std::size_t number : variables_below(graph_, {&part.condition, 1}))
+    addresses.insert(addresses_.text(graph_.variables()[number].address));
+  if (!addresses.empty()) return addresses;
+  if (!wide_) wide_ = std::make_unique<WideTrace>(*this);
+  const Condition condition{part.requirement, part.address, part.span, part.whole, "", nullptr, {}};
+  for (const AddressId address : wide_->solver.choices_below({condition}))
+    addresses.insert(addresses_.text(address));
+  return addresses;
 }
 
 }  // namespace solitaire

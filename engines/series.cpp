@@ -10,7 +10,7 @@ namespace {
 /// search does not mainly start.
 std::size_t after_start(std::size_t solutions) {
   constexpr std::size_t kLeast = 32;
-  return solutions + std::max(kLeast, solutions / 8);
+  return solutions + std::max(kLeast, solutions / 4);
 }
 
 /// Whether the values are the same; the kinds are not written down everywhere.
@@ -30,33 +30,30 @@ Series::Series(const Program& program, ParamValues params, const TracingOptions&
 }
 
 /// A new engine that knows the first of the solutions.
-std::vector<Solution> Series::start(std::size_t solutions) {
+void Series::start(std::size_t solutions) {
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, solutions);
   if (told_) engine_->on_improvement(told_);
-  results_ = {};
-  std::vector<Solution> known;
-  for (std::size_t i = 0; i < solutions; ++i) {
-    try {
-      known.push_back(engine_->exclude(solutions_[i]));
-    } catch (const NotASolution& error) {
-      throw NotASolution(fmt::format("solution {} is none of this program: {}", i + 1, error.what()));
-    }
-    results_.add(known.back().execution);
-  }
+  for (std::size_t i = 0; i < solutions; ++i) engine_->exclude(solutions_[i]);
   next_start_ = options_.restarts ? after_start(solutions) : SIZE_MAX;
-  return known;
 }
 
 std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
-  solutions_ = earlier;
-  std::vector<Solution> known = start(earlier.size());
-  for (Solution& solution : known) engine_->add_provenance(solution);
-  if (!options_.restarts) return known;
+  std::vector<Solution> known;
+  for (const KnownChoices& choices : earlier) {
+    try {
+      known.push_back(engine_->run(choices));
+    } catch (const NotASolution& error) {
+      throw NotASolution(
+          fmt::format("solution {} is none of this program: {}", known.size() + 1, error.what()));
+    }
+  }
   std::size_t last_start = 0;
-  while (after_start(last_start) <= earlier.size()) last_start = after_start(last_start);
-  if (last_start == earlier.size()) return known;
-  to_repeat_.assign(earlier.begin() + static_cast<std::ptrdiff_t>(last_start), earlier.end());
-  solutions_.resize(last_start);
+  while (options_.restarts && after_start(last_start) <= earlier.size()) last_start = after_start(last_start);
+  if (!options_.restarts) last_start = earlier.size();
+  for (std::size_t i = 0; i < last_start; ++i) results_.add(known[i].execution);
+  const auto middle = earlier.begin() + static_cast<std::ptrdiff_t>(last_start);
+  solutions_.assign(earlier.begin(), middle);
+  to_repeat_.assign(middle, earlier.end());
   start(last_start);
   return known;
 }
@@ -82,6 +79,8 @@ bool Series::repeat() {
     }
     solutions_.insert(solutions_.end(), to_repeat_.begin(), to_repeat_.end());
     to_repeat_.clear();
+    results_ = {};
+    for (const KnownChoices& choices : solutions_) results_.add(engine_->run(choices).execution);
     start(solutions_.size());
   }
   return true;

@@ -38,7 +38,7 @@ class Series {
   std::uint64_t alike() const { return alike_; }
 
  private:
-  std::vector<Solution> start(std::size_t solutions);
+  void start(std::size_t solutions);
   std::optional<Solution> next_different();
   bool repeat();
 

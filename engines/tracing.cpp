@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "engines/objective.h"
+#include "engines/wide_trace.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
@@ -339,7 +340,16 @@ void TracingEngine::complete(Solution& solution) const {
     solution.quality = Quality{count_broken(execution), execution.cost};
 }
 
-Solution TracingEngine::exclude(const KnownChoices& choices) {
+void TracingEngine::exclude(const KnownChoices& choices) {
+  Known known;
+  for (const AnsweredChoice& choice : choices)
+    known.values.emplace(addresses_.address(choice.address), choice.value);
+  known_.push_back(std::move(known));
+  --first_;
+  if (met_pass_ > 0) exclude_known(known_.back());
+}
+
+Solution TracingEngine::run(const KnownChoices& choices) {
   solver_.explore();
   WrittenChoices written(choices, addresses_);
   Solution solution;
@@ -349,11 +359,7 @@ Solution TracingEngine::exclude(const KnownChoices& choices) {
     throw NotASolution("it has choices that the program does not have");
   solution.choices = solution.execution.choices;
   complete(solution);
-  Known known;
-  for (const MetChoice& choice : solution.choices) known.values.emplace(choice.address, choice.value);
-  known_.push_back(std::move(known));
-  --first_;
-  if (met_pass_ > 0) exclude_known(known_.back());
+  add_provenance(solution);
   return solution;
 }
 

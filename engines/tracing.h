@@ -31,11 +31,10 @@ class TracingEngine : public Engine {
   Ending ending() const override { return ending_; }
   const AddressTable& addresses() const override { return addresses_; }
 
-  /// Keeps a solution from being found, and runs it. It lacks what add_provenance adds. Throws NotASolution
-  /// and Interrupted.
-  Solution exclude(const KnownChoices& choices);
-  /// Adds which choices decide about the placed things and broken asserts.
-  void add_provenance(Solution& solution);
+  /// Keeps a solution that is known from before from being found.
+  void exclude(const KnownChoices& choices);
+  /// Runs a known solution. Throws NotASolution and Interrupted.
+  Solution run(const KnownChoices& choices);
   /// Told of each solution that is better than the one before, while the next one is looked for.
   void on_improvement(std::function<void(const Solution&)> told) { told_ = std::move(told); }
 
@@ -78,8 +77,10 @@ class TracingEngine : public Engine {
   Found take_solution();
   Execution replay(const Answers& answers);
   void complete(Solution& solution) const;
+  void add_provenance(Solution& solution);
   void add_object_choices(Solution& solution);
   void add_broken_choices(Solution& solution);
+  std::set<std::string> choices_below(const TraceAssert& part);
   static Ending ending_of(Outcome outcome);
 
   const Program& program_;
@@ -93,6 +94,8 @@ class TracingEngine : public Engine {
   PinnedChoices choices_;
   ExecutionSolver solver_;
   std::function<void(const Solution&)> told_;
+  struct WideTrace;
+  std::unique_ptr<WideTrace> wide_;  // once it is needed
   Ending ending_ = Ending::kNone;
   std::size_t met_pass_ = 0;
   NodeId objective_ = kFalse;

@@ -1,6 +1,7 @@
 #include "tracegraph/address.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "tracegraph/hash.h"
 
@@ -29,6 +30,22 @@ AddressId AddressTable::site(AddressId parent, std::string_view label) {
 
 AddressId AddressTable::turn(AddressId parent, std::uint32_t number) {
   return intern({parent.index, kTurn, number});
+}
+
+AddressId AddressTable::address(std::string_view text) {
+  AddressId address = root();
+  while (!text.empty()) {
+    const std::string_view step = text.substr(0, text.find('/'));
+    text.remove_prefix(std::min(step.size() + 1, text.size()));
+    std::size_t bracket = std::min(step.find('['), step.size());
+    address = site(address, step.substr(0, bracket));
+    for (; bracket < step.size(); bracket = std::min(step.find('[', bracket + 1), step.size())) {
+      std::uint32_t number = 0;
+      std::from_chars(step.data() + bracket + 1, step.data() + step.size(), number);
+      address = turn(address, number);
+    }
+  }
+  return address;
 }
 
 std::vector<std::string> AddressTable::steps(AddressId address) const {

@@ -26,6 +26,9 @@ class AddressTable {
   AddressId site(AddressId parent, std::string_view label);
   AddressId turn(AddressId parent, std::uint32_t number);
 
+  /// The address with that readable form.
+  AddressId address(std::string_view text);
+
   /// The readable form: "wing[2]/room[0]/make_table/rot". Empty for the root.
   std::string text(AddressId address) const;
   /// The readable steps, each with its turns: "wing[2]", "room[0]", "make_table", "rot".
