@@ -15,6 +15,11 @@
 //     // error: M          the program is wrong, and this is said about the line on which the comment stands
 //     // help: H           with this help
 //     // set: NAME=VALUE   a param is set for the run
+//     // conflict: C        there is no solution, and this takes part in why, as tests/explain_test.cpp
+//     describes
+//     // pin: ADDRESS=VALUE    which it does with this choice pinned
+//     // dead: C            this part of an assert rules nothing out; several of them: these and no others
+//     // values: L          explain says this of a choice; several of them: these lines
 #include <algorithm>
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -30,6 +35,7 @@
 
 #include "engines/distinct.h"
 #include "scene/scene.h"
+#include "tests/explain_comments.h"
 #include "tests/program_run.h"
 
 namespace solitaire {
@@ -70,12 +76,12 @@ struct PageProgram {
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 void read_expectation(const std::string& line, std::size_t number, PageProgram& program) {
-  for (const char* kind :
-       {"value", "solutions", "results", "choices", "print", "places", "error", "help", "set"}) {
+  for (const char* kind : {"value", "solutions", "results", "choices", "print", "places", "error", "help",
+                           "set", "conflict", "dead", "values"}) {
     const std::string mark = fmt::format("// {}: ", kind);
     const auto at = line.find(mark);
     if (at == std::string::npos) continue;
@@ -207,6 +213,31 @@ void check_solutions(const PageProgram& shown, const Program& program, const Par
   }
 }
 
+void check_conflicts(const PageProgram& shown, const Program& program, const ParamValues& params) {
+  ExplainComments comments;
+  comments.read("program.sol", shown.text);
+  TracingOptions options;
+  options.pins = comments.pins;
+  Explainer explainer(program, params, options);
+  std::vector<ExplainComments::Members> conflicts;
+  while (const auto conflict = explainer.next_conflict())
+    conflicts.push_back(members_of(*conflict, {program.sources, explainer.addresses()}));
+  std::sort(conflicts.begin(), conflicts.end());
+  CHECK(text_of(conflicts) == text_of(comments.sorted_conflicts()));
+}
+
+void check_possibilities(const PageProgram& shown, const Program& program, const ParamValues& params) {
+  std::set<std::string> dead, values;
+  for (const DeadAssert& each : find_dead_asserts(program, params, {}).dead)
+    dead.emplace(program.sources.text(each.span));
+  AddressTable addresses;
+  find_reachable_values(program, params, {}, addresses, [&](const ReachableValues& choice) {
+    if (choice.restricted()) values.insert(trimmed(values_text(choice, {program.sources, addresses})));
+  });
+  CHECK(dead == texts_of(shown.of("dead")));
+  CHECK(values == texts_of(shown.of("values")));
+}
+
 void check_error(const PageProgram& shown, const Diagnostic& diagnostic, const SourceSet& sources) {
   const Expectation& expected = shown.of("error").front();
   CHECK(diagnostic.message == expected.text);
@@ -223,7 +254,9 @@ void check(const PageProgram& shown, const fs::path& folder) {
     const LoadOptions options{{kSource / "solitaire", kSource}};
     program = load_program_text((folder / "program.sol").string(), shown.text, options, sources);
     const ParamValues params = read_params(program, settings_of(shown), program.sources);
+    if (shown.expects("conflict")) return check_conflicts(shown, program, params);
     check_solutions(shown, program, params, folder);
+    if (shown.expects("dead")) check_possibilities(shown, program, params);
     CHECK_MESSAGE(!expects_error, "it is not wrong");
   } catch (const ProgramError& error) {
     const SourceSet& shown_sources = program.modules.empty() ? sources : program.sources;

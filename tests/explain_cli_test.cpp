@@ -1,0 +1,313 @@
+// explain and pins as a user has them: exit status, text, JSON.
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/command.h"
+#include "tracegraph/address_pattern.h"
+
+namespace solitaire {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kRoom =
+    "fun make_room(least) {\n"
+    "  w = range(2, 6);\n"
+    "  assert(w >= least and w != 4, \"wide enough\");\n"
+    "  return w;\n"
+    "}\n"
+    "widths = [make_room(least) for least in [3, 5]];\n"
+    "assert(sum(widths) < 8, \"the rooms fit\");\n";
+constexpr const char* kTwice =
+    "x, y = range(0, 9), range(0, 9);\nassert(x > 4);\nassert(y > 4);\nassert(x < 3);\nassert(y < 3);\n";
+constexpr const char* kSolvable =
+    "x = range(0, 9);\nlid = flip();\nassert(x < 20 and x > 2, \"not too small\");\nassert(lid or x > 9);\n";
+constexpr const char* kSeats =
+    "fun seat() { x, y = range(0, 9), range(0, 9); return x + y; }\n"
+    "near = flip();\nreturn [seat() for i in 1..2], near;\n";
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A workplace whose path does not show in what is reported.
+std::string without(const Workplace& place, std::string text) {
+  const std::string folder = place.path().string() + "/";
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder))
+    text.erase(at, folder.size());
+  return text;
+}
+
+TEST_CASE("cli: explain shows each member of a conflict with its place, and nothing else in that form") {
+  const Workplace place;
+  const Outcome outcome = run_solitaire({"explain", place.file("room.sol", kRoom)});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err == "");
+  CHECK(without(place, outcome.out) ==
+        "room.sol has no solution\n"
+        "these 3 cannot hold together:\n"
+        "room.sol:3:10: assert: w >= least\n"
+        "  3 |   assert(w >= least and w != 4, \"wide enough\");\n"
+        "    |          ^^^^^^^^^^\n"
+        "  note: at make_room[0]/assert\n"
+        "  note: message: wide enough\n"
+        "room.sol:3:10: assert: w >= least\n"
+        "  3 |   assert(w >= least and w != 4, \"wide enough\");\n"
+        "    |          ^^^^^^^^^^\n"
+        "  note: at make_room[1]/assert\n"
+        "  note: message: wide enough\n"
+        "room.sol:7:8: assert: sum(widths) < 8\n"
+        "  7 | assert(sum(widths) < 8, \"the rooms fit\");\n"
+        "    |        ^^^^^^^^^^^^^^^\n"
+        "  note: message: the rooms fit\n");
+}
+
+TEST_CASE("cli: explain shows ranges and pins that take part") {
+  const Workplace place;
+  const std::string script =
+      place.file("pinned.sol", "x = range(2, 9);\ny = range(0, x);\nassert(x * y > 20);\n");
+  const Outcome outcome = run_solitaire({"explain", script, "--pin", "x=3"});
+  CHECK(outcome.status == 1);
+  CHECK(without(place, outcome.out) ==
+        "pinned.sol has no solution\n"
+        "these 3 cannot hold together:\n"
+        "pinned.sol:1:5: pin: x is 3, by --pin 'x=3'\n"
+        "  1 | x = range(2, 9);\n"
+        "    |     ^^^^^^^^^^^\n"
+        "pinned.sol:2:5: range: y is not above its range\n"
+        "  2 | y = range(0, x);\n"
+        "    |     ^^^^^^^^^^^\n"
+        "pinned.sol:3:8: assert: x * y > 20\n"
+        "  3 | assert(x * y > 20);\n"
+        "    |        ^^^^^^^^^^\n");
+  CHECK(run_solitaire({"explain", script, "--pin", "x=5"}).status == 0);
+}
+
+TEST_CASE("cli: explain --more shows as many independent conflicts as there are") {
+  const Workplace place;
+  const std::string script = place.file("twice.sol", kTwice);
+  const std::string first = run_solitaire({"explain", script}).out;
+  CHECK(!has(first, "independent"));
+  const Outcome two = run_solitaire({"explain", script, "--more", "1"});
+  CHECK(two.status == 1);
+  CHECK(two.out.rfind(first, 0) == 0);
+  CHECK(has(two.out, "independently, these 2 cannot hold together:\n"));
+  CHECK(!has(two.out, "there is no further"));
+  CHECK(has(run_solitaire({"explain", script, "--more", "9"}).out,
+            "there is no further conflict that is independent of these\n"));
+}
+
+TEST_CASE("cli: explain of what has solutions says what rules nothing out and what never occurs") {
+  const Workplace place;
+  const std::string script = place.file("solvable.sol", kSolvable);
+  const Outcome outcome = run_solitaire({"explain", script});
+  CHECK(outcome.status == 0);
+  CHECK(without(place, outcome.out) ==
+        "solvable.sol has solutions\n"
+        "solvable.sol:3:8: note: this rules nothing out: it holds wherever the other conditions do\n"
+        "  3 | assert(x < 20 and x > 2, \"not too small\");\n"
+        "    |        ^^^^^^\n"
+        "x: 3..9; never 0..2\n"
+        "lid: true; never false\n");
+  const Outcome pinned = run_solitaire({"explain", script, "--pin", "x=5", "--choices"});
+  CHECK(has(pinned.out, "x: 5; never 0..4, 6..9\nlid: true; never false\n"));
+}
+
+TEST_CASE("cli: explain tells bounds where a choice has many values") {
+  const Workplace place;
+  const std::string script =
+      place.file("wide.sol", "x = range(0, 100000);\nassert(x > 70 and x % 5 == 1 and x < 5000);\n");
+  CHECK(has(run_solitaire({"explain", script}).out, "x: from 71 to 4996, of 0 to 100000\n"));
+}
+
+TEST_CASE("cli: explain says which asserts no execution comes to") {
+  const Workplace place;
+  const std::string script =
+      place.file("unmet.sol", "x = range(0, 3);\nif x * x == 2 then assert(x > 1);\nreturn x;\n");
+  CHECK(has(run_solitaire({"explain", script}).out,
+            "unmet.sol:2:27: note: this rules nothing out: no execution comes to it\n"));
+}
+
+TEST_CASE("cli: an assert that keeps executions from a mistake rules something out") {
+  const Workplace place;
+  const std::string script = place.file(
+      "guard.sol", "x = range(0, 9);\nassert(x < 5);\nif x == 7 then return 1 + \"a\";\nreturn x;\n");
+  CHECK(!has(run_solitaire({"explain", script}).out, "rules nothing out"));
+}
+
+TEST_CASE("cli: explain --json is one object with the conflicts") {
+  const Workplace place;
+  const std::string script = place.file("room.sol", kRoom);
+  const Outcome outcome = run_solitaire({"explain", script, "--json", "--pin", "make_room[1]/w=9"});
+  CHECK(outcome.status == 1);
+  const json found = json::parse(outcome.out);
+  CHECK(found["program"] == script);
+  CHECK(found["solutions"] == false);
+  REQUIRE(found["conflicts"].size() == 1);
+  CHECK(found["conflicts"][0]["minimal"] == true);
+  const json& members = found["conflicts"][0]["members"];
+  REQUIRE(members.size() == 2);
+  CHECK(members[0] == json{{"kind", "range"},
+                           {"file", script},
+                           {"line", 2},
+                           {"column", 7},
+                           {"text", "range(2, 6)"},
+                           {"at", "make_room[1]/w"},
+                           {"condition", "make_room[1]/w is at most 6"}});
+  CHECK(members[1]["kind"] == "pin");
+  CHECK(members[1]["pin"] == "--pin 'make_room[1]/w=9'");
+  CHECK(members[1]["value"] == 9);
+  const json plain = json::parse(run_solitaire({"explain", script, "--json"}).out);
+  const json& assertion = plain["conflicts"][0]["members"][0];
+  CHECK(assertion["kind"] == "assert");
+  CHECK(assertion["text"] == "w >= least");
+  CHECK(assertion["at"] == "make_room[0]/assert");
+  CHECK(assertion["message"] == "wide enough");
+}
+
+TEST_CASE("cli: explain --json is one object with what a solvable program never does") {
+  const Workplace place;
+  const std::string script = place.file("solvable.sol", kSolvable);
+  const Outcome outcome = run_solitaire({"explain", script, "--json"});
+  CHECK(outcome.status == 0);
+  const json found = json::parse(outcome.out);
+  CHECK(found["solutions"] == true);
+  CHECK(found["undecided"] == 0);
+  REQUIRE(found["dead"].size() == 1);
+  CHECK(found["dead"][0]["line"] == 3);
+  CHECK(found["dead"][0]["text"] == "x < 20");
+  CHECK(found["dead"][0]["met"] == true);
+  REQUIRE(found["choices"].size() == 2);
+  CHECK(found["choices"][0]["at"] == "x");
+  CHECK(found["choices"][0]["never"] == json{0, 1, 2});
+  CHECK(found["choices"][0]["values"].size() == 7);
+  CHECK(found["choices"][1]["values"] == json{1});
+}
+
+TEST_CASE("cli: explain reports errors of the program as every command does") {
+  const Workplace place;
+  const Outcome outcome = run_solitaire({"explain", place.file("wrong.sol", "x = 1 + \"a\";\n")});
+  CHECK(outcome.status == 3);
+  CHECK(outcome.out == "");
+  CHECK(has(outcome.err, "wrong.sol:1:5: error:"));
+}
+
+// ---- pins
+
+/// The choices of a solution, by their addresses.
+json choices_of(const std::string& text) {
+  const json solution = json::parse(text);
+  json values;
+  for (const json& choice : solution["choices"]) values[choice["at"].get<std::string>()] = choice["value"];
+  return values;
+}
+
+json choices_in(const std::filesystem::path& file) { return choices_of(bytes_of(file)); }
+
+json solve(const Workplace& place, std::vector<std::string> options) {
+  options.insert(options.begin(), {"solve", place.file("seats.sol", kSeats), "--json", "-q"});
+  const Outcome outcome = run_solitaire(options);
+  CHECK(outcome.status == 0);
+  return choices_of(outcome.out);
+}
+
+TEST_CASE("cli: pins hold choices at a value, by address or pattern, and forbid keeps them from one") {
+  const Workplace place;
+  const json found = solve(place, {"--pin", "seat[*]/x=4", "--pin", "seat[1]/y=7", "--pin", "near=true",
+                                   "--forbid", "seat[0]/y=0", "--forbid", "**/y=1"});
+  CHECK(found["seat[0]/x"] == 4);
+  CHECK(found["seat[1]/x"] == 4);
+  CHECK(found["seat[1]/y"] == 7);
+  CHECK(found["near"] == true);
+  CHECK(found["seat[0]/y"] > 1);
+  CHECK(run_solitaire({"solve", place.file("seats.sol", kSeats), "--pin", "seat[0]/x=10"}).status == 1);
+}
+
+TEST_CASE("cli: --pin-file keeps what was liked of a solution") {
+  const Workplace place;
+  const std::string script = place.file("seats.sol", kSeats);
+  const std::string liked =
+      place.file("liked.json", run_solitaire({"solve", script, "--json", "--pin", "seat[0]/x=3"}).out);
+  CHECK(solve(place, {"--pin-file", liked, "--seed", "5"}) == choices_in(liked));
+  const Outcome kept = run_solitaire(
+      {"solve", script, "--all", "--json", "--pin-file", liked, "--keep", "seat[0]/**", "--keep", "near"});
+  CHECK(kept.status == 0);
+  CHECK(std::count(kept.out.begin(), kept.out.end(), '\n') == 100);
+  const Outcome wrong = run_solitaire({"solve", script, "--pin-file", liked, "--keep", "seat[2]/x"});
+  CHECK(wrong.status == 2);
+  CHECK(has(wrong.err, "--keep 'seat[2]/x' matches no choice"));
+  CHECK(has(wrong.err, "seat[0]/x"));
+}
+
+// The tour of docs/explaining.md.
+TEST_CASE("cli: a rough layout first, then variations of what was liked of it") {
+  const Workplace place;
+  const std::string script = SOLITAIRE_SOURCE_DIR "/examples/workspace.sol";
+  const std::string rough = place / "rough";
+  CHECK(run_solitaire({"generate", script, "--set", "groups=2", "-n", "2", "-o", rough}).status == 0);
+  const json liked = choices_in(place / "rough/workspace-0002.json");
+  const std::vector<std::string> keeping = {
+      "--pin-file", rough + "/workspace-0002.json",   "--keep", "w", "--keep", "d",
+      "--keep",     "make_group[*]/make_table[*]/**",
+  };
+  std::vector<std::string> arguments = {"generate", script,
+                                        "--set",    "groups=2",
+                                        "-n",       "4",
+                                        "-o",       place / "final",
+                                        "--pin",    "anywhere/turn=2",
+                                        "--forbid", "make_group[0]/make_sofa[*]/anywhere/turn=1"};
+  arguments.insert(arguments.end(), keeping.begin(), keeping.end());
+  CHECK(run_solitaire(arguments).status == 0);
+  const AddressPattern tables("make_group[*]/make_table[*]/**");
+  const AddressPattern sofas("make_group[0]/make_sofa[*]/anywhere/turn");
+  for (const char* name : {"workspace-0001.json", "workspace-0004.json"}) {
+    const json varied = choices_in(place / ("final/" + std::string(name)));
+    CHECK(varied != liked);
+    CHECK(varied["anywhere/turn"] == 2);
+    for (const auto& [address, value] : varied.items()) {
+      const AddressPattern exact(address);
+      if (address == "w" || address == "d" || tables.matches(exact.steps())) CHECK(value == liked[address]);
+      if (sofas.matches(exact.steps())) CHECK(value != 1);
+    }
+  }
+}
+
+TEST_CASE("cli: a pin that matches nothing names the nearest addresses") {
+  const Workplace place;
+  const std::string script = place.file("seats.sol", kSeats);
+  for (const char* command : {"solve", "explain"}) {
+    const Outcome outcome = run_solitaire({command, script, "--pin", "seats[0]/x=3"});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out == "");
+    CHECK(has(outcome.err, "--pin 'seats[0]/x=3': no choice has such an address"));
+    CHECK(has(outcome.err, "seat[0]/x"));
+  }
+}
+
+TEST_CASE("cli: pins that are not written as pins are wrong usage") {
+  const Workplace place;
+  const std::string script = place.file("seats.sol", kSeats);
+  const std::string solution = place.file("s.json", run_solitaire({"solve", script, "--json"}).out);
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--pin", "seat[0]/x"},
+      {"--pin", "=3"},
+      {"--pin", "seat[0]/x=many"},
+      {"--pin", "seat[0]/x=1.5"},
+      {"--forbid", "seat[0]/x"},
+      {"--keep", "seat[0]/x"},
+      {"--pin", "seat[0]/x=99999999999999999999"},
+  };
+  for (const auto& options : wrong) {
+    std::vector<std::string> arguments = {"explain", script};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    CAPTURE(options.back());
+    const Outcome outcome = run_solitaire(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out == "");
+    CHECK(outcome.err != "");
+  }
+  CHECK(run_solitaire({"solve", script, "--pin-file", place / "none.json"}).status == 3);
+  CHECK(run_solitaire({"solve", script, "--pin-file", script}).status == 3);
+}
+
+}  // namespace
+}  // namespace solitaire
