@@ -8,8 +8,8 @@ namespace solitaire {
 
 /// Asks which conditions of a program can hold together. A condition that is left out is one that executions
 /// may break: they go on past a broken assert or a choice outside of its range, and end where a list has no
-/// element or nothing is there to choose from. They also end where they come to a mistake of the program,
-/// or run for long: its asserts may be there to keep them from that.
+/// element or nothing is there to choose from. They also end where they come to a mistake of the program or
+/// to what a pass cannot express, or run for long: its asserts may be there to keep them from that.
 class ConditionSolver {
  public:
   using Outcome = ExecutionSolver::Outcome;
@@ -26,7 +26,7 @@ class ConditionSolver {
   Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr,
                Ends ends = Ends::kMistakesAndCuts);
   Outcome find(const Conditions& wanted);
-  /// How often the newest pass met what it cannot express; no execution is found that comes there.
+  /// How often the newest pass met what it cannot express.
   std::size_t inexpressible();
   /// After kNone: those of the wanted ones that cannot hold together. Of several that mean the same, one.
   Conditions core();

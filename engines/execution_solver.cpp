@@ -85,10 +85,8 @@ Verdict ExecutionSolver::check(std::vector<NodeId> assumptions) {
 ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions, Ends ends) {
   const auto without_mistakes = [&] {
     std::vector<NodeId> all = conditions();
-    for (const TraceMistake& mistake : trace().mistakes) {
-      if (ends != Ends::kNone && mistake.of_program) continue;
-      all.push_back(graph_.negation(mistake.guard));
-    }
+    if (ends != Ends::kNone) return all;
+    for (const TraceMistake& mistake : trace().mistakes) all.push_back(graph_.negation(mistake.guard));
     return all;
   };
   while (true) {

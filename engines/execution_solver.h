@@ -80,8 +80,8 @@ class ExecutionSolver {
   /// Conditions that depend on the newest pass. They may only say what a longer execution that begins like
   /// one of the trace cannot undo, as a broken assert is; or else they hold where unexplored() does.
   using Conditions = std::function<std::vector<NodeId>()>;
-  /// Where an execution may end, and still be found, but at the end of the program: at a mistake of the
-  /// program; and where its path was cut, since it runs for long. Never at what a pass cannot express.
+  /// Where an execution may end, and still be found, but at the end of the program: at a mistake, or what a
+  /// pass cannot express; and where its path was cut, since it runs for long.
   enum class Ends : std::uint8_t { kNone, kMistakes, kMistakesAndCuts };
   /// Looks for an execution that fulfils the conditions. They are asked for again after each further pass.
   Outcome find(const Conditions& conditions, Ends ends = Ends::kNone);
