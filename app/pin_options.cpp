@@ -53,7 +53,7 @@ std::vector<Pin> pins_of_file(const Options& options) {
   std::vector<AddressPattern> keep;
   for (const std::string& pattern : options.keep) keep.emplace_back(pattern);
   std::vector<bool> used(keep.size(), false);
-  std::vector<std::string> addresses;
+  std::vector<std::vector<std::string>> addresses;
   std::vector<Pin> pins;
   const json solution = read_solution(options.pin_file);
   for (const json& choice : solution["choices"]) {
@@ -63,8 +63,8 @@ std::vector<Pin> pins_of_file(const Options& options) {
     }
     const auto address = choice["at"].get<std::string>();
     const json& value = choice["value"];
-    addresses.push_back(address);
     const AddressPattern exact(address);
+    addresses.push_back(exact.steps());
     bool kept = keep.empty();
     for (std::size_t i = 0; i < keep.size(); ++i) {
       if (!keep[i].matches(exact.steps())) continue;
@@ -77,7 +77,7 @@ std::vector<Pin> pins_of_file(const Options& options) {
   }
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (used[i]) continue;
-    const auto nearest = nearest_names(keep[i].text(), addresses, 3);
+    const auto nearest = nearest_patterns(keep[i], addresses, 3);
     refuse(fmt::format("--keep '{}' matches no choice of {}{}", keep[i].text(), name,
                        nearest.empty() ? "" : fmt::format("; the nearest are {}", fmt::join(nearest, ", "))));
   }

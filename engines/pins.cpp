@@ -1,6 +1,9 @@
 #include "engines/pins.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+
+#include "solitaire/diagnostic.h"
 
 namespace solitaire {
 
@@ -32,6 +35,27 @@ std::vector<const Pin*> Pins::unmatched(const std::vector<AddressId>& addresses)
     if (!matched) unmatched.push_back(&pin);
   }
   return unmatched;
+}
+
+std::vector<std::string> nearest_patterns(const AddressPattern& pattern,
+                                          const std::vector<std::vector<std::string>>& addresses,
+                                          std::size_t count) {
+  std::vector<std::string> steps = pattern.steps();
+  const bool any_start = steps.size() > 1 && steps.front() == "**";
+  const bool any_end = steps.size() > 1 && !any_start && steps.back() == "**";
+  if (any_start) steps.erase(steps.begin());
+  if (any_end) steps.pop_back();
+  std::vector<std::string> candidates;
+  for (const std::vector<std::string>& address : addresses) {
+    const std::size_t left_out = address.size() - std::min(address.size(), steps.size());
+    const auto first = address.begin() + static_cast<std::ptrdiff_t>(any_start ? left_out : 0);
+    const auto last = address.end() - static_cast<std::ptrdiff_t>(any_end ? left_out : 0);
+    candidates.push_back(fmt::format("{}", fmt::join(first, last, "/")));
+  }
+  std::vector<std::string> nearest =
+      nearest_names(fmt::format("{}", fmt::join(steps, "/")), std::move(candidates), count);
+  for (std::string& each : nearest) each = (any_start ? "**/" : "") + each + (any_end ? "/**" : "");
+  return nearest;
 }
 
 std::vector<PinnedChoice> pinned_choices(Graph& graph, const Trace& trace, Pins& pins) {

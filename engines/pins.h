@@ -37,6 +37,12 @@ class Pins {
   std::unordered_map<AddressId, std::vector<const Pin*>> matches_;
 };
 
+/// What a pattern that matches none of the addresses was probably meant to be, most likely first: addresses,
+/// or where the pattern has a `**` at one of its ends, patterns that do match.
+std::vector<std::string> nearest_patterns(const AddressPattern& pattern,
+                                          const std::vector<std::vector<std::string>>& addresses,
+                                          std::size_t count);
+
 /// What the pins require of the choices of a trace: a condition for each pin and choice that it matches.
 struct PinnedChoice {
   const Pin* pin;

@@ -223,9 +223,9 @@ void TracingEngine::check_pins() {
   solver_.explore_fully(kPassesForPins);
   const std::vector<const Pin*> wrong = unmatched();
   if (wrong.empty()) return;
-  std::vector<std::string> known;
-  for (const TraceChoice& choice : solver_.trace().choices) known.push_back(addresses_.text(choice.address));
-  const std::vector<std::string> nearest = nearest_names(wrong.front()->pattern.text(), known, 3);
+  std::vector<std::vector<std::string>> known;
+  for (const TraceChoice& choice : solver_.trace().choices) known.push_back(addresses_.steps(choice.address));
+  const std::vector<std::string> nearest = nearest_patterns(wrong.front()->pattern, known, 3);
   throw UnmatchedPin(nearest.empty() ? fmt::format("{}: the program has no choices", wrong.front()->source)
                                      : fmt::format("{}: no choice has such an address; the nearest {} {}",
                                                    wrong.front()->source, nearest.size() == 1 ? "is" : "are",

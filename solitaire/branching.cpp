@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <utility>
 
 #include "solitaire/evaluation.h"
 
@@ -204,19 +205,25 @@ void Evaluator::note(NodeId condition, Requirement requirement, Span span, Span 
 }
 
 /// What an expression is worth as a conjunct of an assert that is looked at by itself. Where it cannot be
-/// evaluated, it does not hold; the path goes on in any case.
+/// evaluated, it does not hold, and where the pass cannot express it, nothing is said against it; the path
+/// goes on in any case.
 NodeId Evaluator::truth_of(const Expr& condition) {
   const Checkpoint start = checkpoint();
   const Path::Losses losses = path_.losses;
   path_.enter_region();
   ++isolated_;
+  const std::size_t outer_region = std::exchange(isolated_region_, path_.region());
+  const NodeId outer_unknown = std::exchange(unknown_, kFalse);
   NodeId truth = kFalse;
   try {
     const NodeId holds = this->condition(expression(condition), condition.span);
     truth = path_.local() == kTrue ? holds : graph_.conjunction(path_.local(), holds);
   } catch (const PathEnd&) {
   }
+  if (unknown_ != kFalse) truth = graph_.disjunction(truth, unknown_);
   --isolated_;
+  isolated_region_ = outer_region;
+  unknown_ = outer_unknown;
   unwind(start);
   path_.losses = losses;
   return truth;
@@ -259,6 +266,7 @@ void Evaluator::mistake_if(const Value& wrong, Span span, const std::string& mes
 
 void Evaluator::beyond_engine(Span span, const std::string& message, const std::string& help) {
   if (!symbolic()) mistake(span, message, help);
+  if (isolated_ > 0) unknown_ = graph_.disjunction(unknown_, path_.guard_since(isolated_region_));
   recorder_->add(TraceMistake{path_.guard(), activation_address(*current_), span, message, help, false});
   end_path();
 }

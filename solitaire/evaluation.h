@@ -283,6 +283,8 @@ class Evaluator {
   std::uint32_t depth_ = 0;
   std::uint64_t total_steps_ = 0;
   std::uint32_t isolated_ = 0;         // above 0: in a conjunct that is looked at by itself
+  std::size_t isolated_region_ = 0;    // where it began
+  NodeId unknown_ = kFalse;            // since then: what the pass could not express
   const char* stack_limit_ = nullptr;  // addresses below it are too close to the stack's end
   std::uint32_t frames_made_ = 0;
   std::vector<Ref<Frame>> captured_frames_;  // cleared at the end: closures in them refer back to them

@@ -281,6 +281,8 @@ TEST_CASE("cli: a pin that matches nothing names the nearest addresses") {
     CHECK(has(outcome.err, "--pin 'seats[0]/x=3': no choice has such an address"));
     CHECK(has(outcome.err, "seat[0]/x"));
   }
+  CHECK(has(run_solitaire({"solve", script, "--pin", "saet[1]/**=3"}).err, "the nearest are seat[1]/**"));
+  CHECK(has(run_solitaire({"solve", script, "--pin", "**/z=3"}).err, "**/x"));
 }
 
 TEST_CASE("cli: pins that are not written as pins are wrong usage") {

@@ -87,8 +87,9 @@ TEST_CASE("plan and gallery: names are escaped, whatever they hold") {
   placement.name = "<script>\"&'\xff\x02";
   placement.address = "a<b>";
   const std::string plan = svg_plan(build_scene({placement}, 1, "t<i>tle", assets));
-  const std::string page = gallery_html({"t<i>tle", "a&b.sol", "\"1\"", {{"<o>", "<v>"}}},
-                                        {{1, "n<1>", plan, "a \"b\":#ü.glb", "j.json", "<v>&", 2, {"cost <5>"}}});
+  const std::string page =
+      gallery_html({"t<i>tle", "a&b.sol", "\"1\"", {{"<o>", "<v>"}}},
+                   {{1, "n<1>", plan, "a \"b\":#ü.glb", "j.json", "<v>&", 2, {"cost <5>"}}});
   for (const std::string& text : {plan, page}) {
     CHECK(text.find("<script>") == std::string::npos);
     CHECK(text.find("<i>") == std::string::npos);
