@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,6 +7,10 @@
 #include <vector>
 
 #include "engines/tracing.h"
+
+namespace CLI {
+class App;
+}
 
 namespace solitaire {
 

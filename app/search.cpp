@@ -72,6 +72,7 @@ ExitStatus Search::run(const Found& found, const Close& close) {
 Ending Search::deliver_all(const Found& found, Progress& progress) {
   try {
     if (options_.relax) check_mistakes();
+    if (wants_more() && !series_.catch_up()) return series_.ending();
     while (wants_more()) {
       const std::optional<Solution> solution = next(progress);
       if (!solution) return series_.ending();

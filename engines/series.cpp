@@ -59,16 +59,16 @@ std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
 }
 
 std::optional<Solution> Series::next() {
-  if (!repeat()) return std::nullopt;
+  if (!catch_up()) return std::nullopt;
   if (solutions_.size() >= next_start_) start(solutions_.size());
   std::optional<Solution> solution = next_different();
   if (solution) solutions_.push_back(solution->answers);
   return solution;
 }
 
-/// Finds again what came since the last start. If something else comes, then that was found in another way,
-/// and the series goes on without repeating any of it. False if the search ended.
-bool Series::repeat() {
+/// If something else comes, then the earlier solutions were found in another way, and the series goes on
+/// without repeating any of them.
+bool Series::catch_up() {
   while (!to_repeat_.empty()) {
     const std::optional<Solution> solution = next_different();
     if (!solution && ending() == Ending::kStopped) return false;

@@ -25,6 +25,9 @@ class Series {
   /// Takes up a series after these solutions; returns them, run again. To be called before anything else.
   /// Throws NotASolution, whose message names the one that is none, and Interrupted.
   std::vector<Solution> resume(const std::vector<KnownChoices>& earlier);
+  /// Finds again what came since the last start before the series was interrupted. next() does it, too, but
+  /// then it counts as a search for one solution. False if a limit came first. Throws Interrupted.
+  bool catch_up();
   /// Explores, which is part of the search for the first. Throws Interrupted.
   void explore() { engine_->explore(); }
   /// As TracingEngine::next.
@@ -40,7 +43,6 @@ class Series {
  private:
   void start(std::size_t solutions);
   std::optional<Solution> next_different();
-  bool repeat();
 
   const Program& program_;
   ParamValues params_;

@@ -9,6 +9,7 @@
 
 #include "scene/gltf_reader.h"
 #include "tests/command.h"
+#include "tests/program_run.h"
 
 namespace solitaire {
 namespace {
@@ -422,6 +423,48 @@ TEST_CASE("cli: --resume goes on with an earlier run, and refuses one that was a
   CHECK(
       has(generate("parts", "50", {"--resume"}).err, "scene-0002.json: is not the .json file of a solution"));
   CHECK(bytes_of(place / "parts/index.html") == page);
+}
+
+/// What `solve --all --json` prints of solutions, sorted, and what brute force finds.
+void check_all_by_brute_force(const std::string& text, const std::vector<std::string>& options) {
+  CAPTURE(text);
+  const Workplace place;
+  std::vector<std::string> arguments = {"solve", place.file("all.sol", text), "--all", "--json", "-q"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  std::istringstream lines(run_solitaire(arguments).out);
+  std::vector<std::string> printed;
+  for (std::string line; std::getline(lines, line);) {
+    const json solution = json::parse(line);
+    printed.push_back(solution["choices"].dump() + solution["value"].dump());
+  }
+  std::sort(printed.begin(), printed.end());
+
+  const Program program = program_of(text);
+  ExhaustiveEngine engine(program, {}, {});
+  std::vector<std::string> expected;
+  while (const auto solution = engine.next()) {
+    json choices = json::array();
+    for (const AnsweredChoice& choice : solution->answers) {
+      const bool is_bool = choice.kind == ChoiceKind::kBool;
+      choices.push_back(
+          {{"at", choice.address}, {"value", is_bool ? json(choice.value != 0) : json(choice.value)}});
+    }
+    expected.push_back(choices.dump() + json::parse(to_json(solution->execution.value)).dump());
+  }
+  std::sort(expected.begin(), expected.end());
+  CHECK(printed == expected);
+}
+
+TEST_CASE("cli: --all prints what brute force finds, and nothing twice") {
+  for (const std::string engine : {"cadical", "z3"}) {
+    for (const char* text :
+         {kPairs, kNone, kScene, kTight, "x = range(1, 3);\nf = flip();\nreturn [x, nil, 0.5, f];\n",
+          "x = range(0, 9);\nassert(x != 3);\nminimize(abs(x - 3));\nreturn x;\n",
+          "n = range(0, 3);\nreturn [choose([1, 2, 3]) for i in 1..n];\n"}) {
+      check_all_by_brute_force(text, {"--engine", engine});
+    }
+  }
+  check_all_by_brute_force(kScene, {});
 }
 
 }  // namespace

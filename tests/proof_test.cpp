@@ -87,7 +87,8 @@ TEST_CASE("proof: other solvers confirm that a search found all there is, and fi
       {{root + "/tests/language/recursion_unbounded.sol"}, 0},
   };
   for (const auto& [search, count] : searches) {
-    CAPTURE(search.front());
+    const std::string& script = search.front();
+    CAPTURE(script);
     std::vector<std::string> all = search;
     all.push_back("--all");
     const Solved whole = solve(all, ".smt2");
