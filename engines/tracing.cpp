@@ -63,6 +63,15 @@ TracingOptions for_solver(TracingOptions options, const StopSignal& stop) {
   return options;
 }
 
+NodeId checked_objective(Graph& graph, const Trace& trace, bool relax) {
+  try {
+    return objective_of(graph, trace, relax);
+  } catch (const IntegerTooLarge&) {
+    throw ProgramError(
+        Diagnostic{trace.wishes.front().span, "the cost of all wishes can grow past 62 bits", "", {}});
+  }
+}
+
 std::size_t count_broken(const Execution& execution) {
   std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> broken;
   for (const Rejection& each : execution.broken) {
@@ -130,7 +139,10 @@ std::optional<Solution> TracingEngine::next() {
 
 /// Makes the solution better until it is proved that no better one is left, or a limit comes.
 void TracingEngine::improve(Found& best, StopSignal::Clock::time_point start) {
-  if (graph_.node(objective_).is_constant()) {
+  // What a trace says of the cost is all there is to say only where no path is left unexplored.
+  const bool explored = solver_.trace().blockers.empty();
+  const bool no_wishes = solver_.trace().wishes.empty();
+  if (graph_.node(objective_).is_constant() && (explored || no_wishes)) {
     if (best.solution.quality) best.solution.quality->proved = true;
     return;
   }
@@ -138,10 +150,16 @@ void TracingEngine::improve(Found& best, StopSignal::Clock::time_point start) {
     const std::chrono::duration<double> time(std::min(*options_.improvement_time, 1e8));
     solution_stop_.set_deadline(start + std::chrono::duration_cast<StopSignal::Clock::duration>(time));
   }
-  proved_ = std::max(proved_, graph_.node(objective_).interval.lo);
+  if (explored) proved_ = std::max(proved_, graph_.node(objective_).interval.lo);
+  std::int64_t stride = 1;  // towards what is impossible, while it is not known where that is
   while (best.rank > proved_) {
     if (told_) told_(best.solution);
-    const std::int64_t target = proved_ + (best.rank - 1 - proved_) / 2;
+    std::int64_t target = std::max(best.rank - stride, -kIntLimit);
+    if (proved_ != INT64_MIN) {
+      target = proved_ + (best.rank - 1 - proved_) / 2;
+    } else if (stride < kIntLimit / 4) {
+      stride *= 2;
+    }
     if (std::optional<Found> better = attempt(target)) {
       best = std::move(*better);
     } else if (ending_ == Ending::kExhausted) {
@@ -171,7 +189,7 @@ TracingEngine::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
       meet_pass();
       const Outcome outcome = solver_.find([&]() -> std::vector<NodeId> {
         if (!most) return {};
-        const NodeId objective = objective_of(graph_, solver_.trace(), options_.relax);
+        const NodeId objective = checked_objective(graph_, solver_.trace(), options_.relax);
         const NodeId good = graph_.apply(Op::kLeInt, {objective, graph_.constant(*most)});
         return {graph_.disjunction(good, solver_.unexplored())};
       });
@@ -191,12 +209,7 @@ void TracingEngine::meet_pass() {
     if (pinned.holds != kTrue) solver_.add_clause({&pinned.holds, 1});
   }
   if (!options_.relax) report_reachable_mistakes();
-  try {
-    objective_ = objective_of(graph_, solver_.trace(), options_.relax);
-  } catch (const IntegerTooLarge&) {
-    throw ProgramError(Diagnostic{
-        solver_.trace().wishes.front().span, "the cost of all wishes can grow past 62 bits", "", {}});
-  }
+  objective_ = checked_objective(graph_, solver_.trace(), options_.relax);
   for (Known& known : known_) exclude_known(known);
 }
 

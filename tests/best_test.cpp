@@ -107,6 +107,10 @@ TEST_CASE("best: wishes on some paths, in loops and in functions cost only where
   check_order("x = range(1, 4); prefer(x == 3, x); prefer(false, 2); prefer(true, 5); return x;", false);
   check_order("assert(range(0, 3) > 5); minimize(3);", false);
   check_order(
+      "f = flip(); g = flip(); minimize(5);\n"
+      "if f then { maximize(9); if g then { if flip() then { if flip() then maximize(40); } } } return f;",
+      false);
+  check_order(
       "n = 5; if flip() then { if flip() then { if flip() then { maximize(10); n = 6; } } } minimize(n);",
       false);
 }
