@@ -167,9 +167,7 @@ ExitStatus generate(const Options& options, Watchdog& watchdog) {
         if (solution.quality && !options.quiet)
           tell(fmt::format("{}-{:04}: {}\n", session.name(), number, quality_text(solution)));
         if (!options.json) return;
-        nlohmann::ordered_json line{{"index", number}};
-        line.update(solution_json(solution, session.program().sources));
-        print_result(json_text(line) + "\n");
+        print_result(solution_line(number, solution, session.program().sources));
       },
       [&] { output.close(); });
 }

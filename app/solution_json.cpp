@@ -45,6 +45,12 @@ Json solution_json(const Solution& solution, const SourceSet& sources) {
   return json;
 }
 
+std::string solution_line(std::uint64_t number, const Solution& solution, const SourceSet& sources) {
+  Json line{{"index", number}};
+  line.update(solution_json(solution, sources));
+  return json_text(line) + "\n";
+}
+
 std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }

@@ -11,6 +11,9 @@ namespace solitaire {
 /// than others "cost", "optimal" and "broken".
 nlohmann::ordered_json solution_json(const Solution& solution, const SourceSet& sources);
 
+/// The same with its number, as a line of output.
+std::string solution_line(std::uint64_t number, const Solution& solution, const SourceSet& sources);
+
 /// As text, on one line or, indented, on several; broken UTF-8 is replaced.
 std::string json_text(const nlohmann::ordered_json& json, int indent = -1);
 

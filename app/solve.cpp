@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -8,12 +7,6 @@
 
 namespace solitaire {
 namespace {
-
-std::string as_json(std::uint64_t number, const Solution& solution, const SourceSet& sources) {
-  nlohmann::ordered_json line{{"index", number}};
-  line.update(solution_json(solution, sources));
-  return json_text(line) + "\n";
-}
 
 std::string as_text(std::uint64_t number, const Solution& solution, const SourceSet& sources) {
   std::string text = fmt::format("solution {}: {}\n", number, to_text(solution.execution.value));
@@ -35,7 +28,7 @@ std::string as_text(std::uint64_t number, const Solution& solution, const Source
 ExitStatus solve(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   Search search(session, options, watchdog);
-  const auto shown = options.json ? as_json : as_text;
+  const auto shown = options.json ? solution_line : as_text;
   return search.run([&](std::uint64_t number, const Solution& solution) {
     print_result(shown(number, solution, session.program().sources));
   });

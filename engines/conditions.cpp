@@ -6,11 +6,6 @@
 namespace solitaire {
 namespace {
 
-bool is_end(Requirement requirement) {
-  return requirement == Requirement::kLowEnd || requirement == Requirement::kHighEnd ||
-         requirement == Requirement::kStep;
-}
-
 /// Whether an end is the same in all executions. Its condition compares it with the choice.
 bool is_fixed(const Graph& graph, NodeId condition) {
   const auto operands = graph.node(condition).args();
@@ -19,6 +14,11 @@ bool is_fixed(const Graph& graph, NodeId condition) {
 }
 
 }  // namespace
+
+bool is_end(Requirement requirement) {
+  return requirement == Requirement::kLowEnd || requirement == Requirement::kHighEnd ||
+         requirement == Requirement::kStep;
+}
 
 std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pins& pins) {
   std::map<Condition, TracedCondition> conditions;

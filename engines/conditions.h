@@ -30,6 +30,9 @@ struct Condition {
   }
 };
 
+/// Whether it is about a choice's range: an end, or the steps.
+bool is_end(Requirement requirement);
+
 /// A condition, where a trace says when it holds.
 struct TracedCondition {
   Condition condition;

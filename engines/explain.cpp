@@ -11,18 +11,6 @@ namespace {
 using Conditions = ConditionSolver::Conditions;
 using Outcome = ConditionSolver::Outcome;
 
-bool is_end(const Condition& condition) {
-  if (condition.pin != nullptr) return false;
-  switch (condition.requirement) {
-    case Requirement::kLowEnd:
-    case Requirement::kHighEnd:
-    case Requirement::kStep:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// The largest number that a graph knows, or its negative.
 std::int64_t largest_constant(const Graph& graph) {
   std::int64_t largest = 0;
@@ -107,7 +95,7 @@ std::optional<Explainer::Freedom> Explainer::choices_below(const Conditions& mem
       freedom.choices.merge(wide.choices_below(conditions));
       freedom.choices.merge(solver_.choices_below(conditions));
       for (const TracedCondition& each : wide.all()) {
-        if (is_end(each.condition) && freedom.choices.count(each.condition.address) != 0)
+        if (is_end(each.condition.requirement) && freedom.choices.count(each.condition.address) != 0)
           conditions.insert(each.condition);
       }
       grows = freedom.choices.size() > before;
@@ -126,7 +114,8 @@ Conflict Explainer::complete(Conditions members, bool minimal) {
   WideChoices choices(&freedom->choices, freedom->reach, pins_);
   ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
   const Outcome outcome = wide.find([&](const Condition& each) {
-    return members.count(each) != 0 || (is_end(each) && freedom->choices.count(each.address) != 0);
+    return members.count(each) != 0 ||
+           (is_end(each.requirement) && freedom->choices.count(each.address) != 0);
   });
   if (outcome != Outcome::kNone) return conflict;
   Conditions with_ends = wide.core();
