@@ -1,0 +1,76 @@
+"""Solves a problem's Z3 model: z3_runner.py PROBLEM PARAMS KIND SEED COUNT. Prints a JSON object a line.
+
+A model's module says by LOGIC what it is stated in, by DIVERSE how solutions that differ are cheapest to get:
+
+incremental  one solver with random phases and values
+fresh        the same, but a new solver for each solution
+"""
+import importlib
+import json
+import sys
+import time
+from pathlib import Path
+
+PROBLEMS = Path(__file__).resolve().parent / "problems"
+
+
+def main(problem, params, kind, seed, count):
+    sys.path[:0] = [str(PROBLEMS), str(PROBLEMS / problem)]
+    import z3
+    model = importlib.import_module(f"{problem}_z3")
+    how = getattr(model, "DIVERSE", "fresh")
+    if kind == "diverse":
+        for name, value in (("sat.phase", "random"), ("smt.phase_selection", 5),
+                            ("smt.arith.random_initial_value", True)):
+            z3.set_param(name, value)
+    collected = z3.Solver()
+    variables = model.model(collected, params)
+    flat = [bit for values in variables.values() for value in values for bit in bits(value)]
+
+    def new_solver(seed):
+        z3.set_param("sat.random_seed", seed)
+        z3.set_param("smt.random_seed", seed)
+        solver = z3.SolverFor(model.LOGIC)
+        solver.add(collected.assertions())
+        return solver
+
+    solver = new_solver(seed)
+    start = time.process_time()
+    say(preparation=start)
+    found = 0
+    blocked = []
+    while not count or found < count:
+        if kind == "diverse" and how == "fresh" and found:
+            solver = new_solver(1000 * seed + found)
+            solver.add(blocked)
+        if solver.check() != z3.sat:
+            say(end=str(solver.check()))
+            return
+        answer = solver.model()
+        values = {variable: answer.eval(variable, model_completion=True) for variable in flat}
+        found += 1
+        blocked.append(z3.Or([variable != value for variable, value in values.items()]))
+        solver.add(blocked[-1])
+        say(values={name: [plain(value, values) for value in array] for name, array in variables.items()},
+            cpu=time.process_time() - start)
+
+
+def bits(value):
+    return value if isinstance(value, list) else [value]
+
+
+def plain(value, values):
+    """An int; of a list of Bools the number that they are the bits of, the lowest first."""
+    if isinstance(value, list):
+        return sum(plain(bit, values) << place for place, bit in enumerate(value))
+    value = values[value]
+    return int(value.as_long()) if hasattr(value, "as_long") else int(bool(value))
+
+
+def say(**report):
+    print(json.dumps(report), flush=True)
+
+
+if __name__ == "__main__":
+    problem, params, kind, seed, count = sys.argv[1:]
+    main(problem, json.loads(params), kind, int(seed), int(count))
