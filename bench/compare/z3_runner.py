@@ -25,7 +25,7 @@ def main(problem, params, kind, seed, count):
             z3.set_param(name, value)
     collected = z3.Solver()
     variables = model.model(collected, params)
-    flat = [bit for values in variables.values() for value in values for bit in bits(value)]
+    flat = [value for array in variables.values() for value in array]
 
     def new_solver(seed):
         z3.set_param("sat.random_seed", seed)
@@ -47,24 +47,30 @@ def main(problem, params, kind, seed, count):
             say(end=str(solver.check()))
             return
         answer = solver.model()
-        values = {variable: answer.eval(variable, model_completion=True) for variable in flat}
         found += 1
-        blocked.append(z3.Or([variable != value for variable, value in values.items()]))
+        blocked.append(z3.Or([literal for value in flat for literal in different(value, answer)]))
         solver.add(blocked[-1])
-        say(values={name: [plain(value, values) for value in array] for name, array in variables.items()},
+        say(values={name: [plain(value, answer) for value in array] for name, array in variables.items()},
             cpu=time.process_time() - start)
 
 
-def bits(value):
-    return value if isinstance(value, list) else [value]
-
-
-def plain(value, values):
-    """An int; of a list of Bools the number that they are the bits of, the lowest first."""
+def plain(value, answer):
+    """An int; of a list of Bools the number whose bits they are, the lowest first; of a tuple the one that is true."""
     if isinstance(value, list):
-        return sum(plain(bit, values) << place for place, bit in enumerate(value))
-    value = values[value]
+        return sum(plain(bit, answer) << place for place, bit in enumerate(value))
+    if isinstance(value, tuple):
+        return [plain(bit, answer) for bit in value].index(1)
+    value = answer.eval(value, model_completion=True)
     return int(value.as_long()) if hasattr(value, "as_long") else int(bool(value))
+
+
+def different(value, answer):
+    """Literals, one of which holds where the value is another one."""
+    if isinstance(value, list):
+        return [bit != answer.eval(bit, model_completion=True) for bit in value]
+    if isinstance(value, tuple):
+        return [value[plain(value, answer)] == False]  # noqa: E712, this is a term
+    return [value != answer.eval(value, model_completion=True)]
 
 
 def say(**report):

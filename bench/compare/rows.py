@@ -1,0 +1,36 @@
+"""What is measured: each row is a problem with params."""
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Row:
+    name: str
+    group: str                 # rows of a group make one table
+    problem: str
+    params: dict
+    kinds: tuple = ("first", "plain", "diverse")
+    count: int = 100           # how many further solutions
+    quick: bool = False        # part of --quick
+
+
+def workspace(groups, most, name, group, quick=False):
+    return Row(name, group, "workspace", {"groups": groups, "most": most, "aisle": 2}, quick=quick)
+
+
+def rows():
+    roomy = [workspace(groups, 14 + 7 * groups, f"workspace-{groups}", "workspaces", quick=groups in (1, 3))
+             for groups in range(1, 7)]
+    puzzles = [Row(f"queens-{n}, all", "enumeration", "queens", {"n": n}, ("all",), quick=n == 8) for n in (8, 9, 10)]
+    puzzles += [Row("10,000 layouts of squares", "enumeration", "squares", SQUARES, ("plain",), 9999, quick=True)]
+    easy = [Row("queens-12", "puzzles", "queens", {"n": 12}, quick=True),
+            Row("squares", "puzzles", "squares", SQUARES, quick=True)]
+    return roomy + easy + puzzles
+
+
+SQUARES = {"squares": 6, "size": 3, "grid": 20}
+
+# So small that all solutions can be counted.
+TINY = [
+    ("queens", {"n": 6}),
+    ("squares", {"squares": 2, "size": 2, "grid": 4}),
+]
