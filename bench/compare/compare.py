@@ -10,10 +10,9 @@ import growth
 import report
 import selftest
 from cells import measure_cell
+from paths import ROOT
 from rows import rows
 from systems import all_systems
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 def main():

@@ -9,8 +9,8 @@ from systems import Request, Solitaire
 NAME = "solitaire alone"
 MANY = 10000
 WINDOW = 100
-SERIES = [("workspace-1", "workspace", {"groups": 1, "most": 21, "aisle": 2}),
-          ("workspace-2", "workspace", {"groups": 2, "most": 28, "aisle": 2}),
+SERIES = [("workspace-1", "workspace", {"groups": 1, "most": 21, "aisle": 2, "chairs": 2}),
+          ("workspace-2", "workspace", {"groups": 2, "most": 28, "aisle": 2, "chairs": 2}),
           ("squares", "squares", SQUARES)]
 
 

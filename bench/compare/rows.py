@@ -14,7 +14,7 @@ class Row:
 
 
 def workspace(groups, most, name, group, quick=False):
-    return Row(name, group, "workspace", {"groups": groups, "most": most, "aisle": 2}, quick=quick)
+    return Row(name, group, "workspace", {"groups": groups, "most": most, "aisle": 2, "chairs": 2}, quick=quick)
 
 
 def rows():
@@ -29,8 +29,11 @@ def rows():
 
 SQUARES = {"squares": 6, "size": 3, "grid": 20}
 
-# So small that all solutions can be counted.
+# What --selftest counts: problem, params, and how many choices of a solution are left free, None for all.
 TINY = [
-    ("queens", {"n": 6}),
-    ("squares", {"squares": 2, "size": 2, "grid": 4}),
+    ("queens", {"n": 6}, None),
+    ("squares", {"squares": 2, "size": 2, "grid": 4}, None),
+    ("squares", SQUARES, 3),
+    ("workspace", {"groups": 1, "most": 12, "aisle": 2, "chairs": 1}, 9),
+    ("workspace", {"groups": 2, "most": 28, "aisle": 2, "chairs": 2}, 12),
 ]

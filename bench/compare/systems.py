@@ -5,7 +5,6 @@ plain    many different solutions, as fast as it can
 diverse  many solutions that differ much from each other (see diversity.py)
 all      all solutions
 """
-import importlib.util
 import json
 import os
 import re
@@ -15,9 +14,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import measure
-
-HERE = Path(__file__).resolve().parent
-PYTHON = "/usr/bin/python3"   # Debian's, which has Debian's z3
+from addresses import choices, variables
+from paths import HERE, PYTHON, problem_file
 
 
 @dataclass
@@ -28,7 +26,8 @@ class Request:
     seed: int = 1
     count: int = 0             # how many solutions; 0 is all
     limit: float = 60.0        # CPU seconds
-    stamp_at: tuple = ()
+    stamp_at: tuple = ()       # of which solutions to take the time
+    pins: dict = field(default_factory=dict)   # {address: value}, which has to hold, too
 
 
 @dataclass
@@ -45,18 +44,6 @@ class Answer:
     @property
     def solving(self):
         return max(self.cpu - self.preparation, 0.0)
-
-
-def problem_file(problem, ending):
-    return HERE / "problems" / problem / f"{problem}{ending}"
-
-
-def load_addresses(problem):
-    """The problem's function from the values of the peers' variables to {address: value}."""
-    spec = importlib.util.spec_from_file_location(f"{problem}_addresses", problem_file(problem, "_addresses.py"))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.choices
 
 
 def complaint(child):
@@ -89,6 +76,7 @@ class Solitaire:
 
     def solve(self, request, *arguments, wanted=None):
         settings = [f"--set={name}={json.dumps(value)}" for name, value in request.params.items()]
+        settings += [f"--pin={at}={json.dumps(value)}" for at, value in request.pins.items()]
         command = [self.binary, "solve", str(problem_file(request.problem, ".sol")), "--json", "--quiet",
                    f"--seed={request.seed}", *settings, *self.arguments, *arguments]
         return measure.run(command, request.limit, wanted, stamp_at=request.stamp_at)
@@ -166,7 +154,7 @@ class Peer:
 
     def prepare(self, request):
         """The prepared model's file and the CPU seconds that preparing took."""
-        key = (request.problem, *sorted(request.params.items()), self.variant(request))
+        key = (request.problem, *sorted(request.params.items()), *request.pins.items(), self.variant(request))
         if key not in self.prepared:
             path = str(Path(self.folder.name) / f"{len(self.prepared)}")
             child = measure.run(self.preparing(request, path), request.limit)
@@ -202,17 +190,20 @@ class Gecode(Peer):
     RESTARTS = ["-restart", "constant", "-restart-scale", str(FAILURES)]
 
     def version(self):
-        minizinc = said_version(["minizinc", "--version"], r"version (\S+?),")
+        minizinc = said_version(["minizinc", "--version"], r"version (\S+)")
         return f"MiniZinc {minizinc}, Gecode {said_version(['fzn-gecode', '--help'], 'Version: (.*)')}"
 
     def variant(self, request):
         return request.kind == "all"
 
     def preparing(self, request, path):
+        pinned = str(path) + ".pins.mzn"
+        Path(pinned).write_text("".join(f"constraint {array}[{index}] = {value};\n" for array, index, value
+                                        in variables(request.problem, request.params, request.pins)))
         data = {**request.params, "random": request.kind != "all"}
         text = "".join(f"{name} = {json.dumps(value)};" for name, value in data.items())
         return ["minizinc", "--compile", "--solver", "gecode", "--no-output-ozn", "--fzn", path,
-                str(problem_file(request.problem, ".mzn")), "-D", text]
+                str(problem_file(request.problem, ".mzn")), pinned, "-D", text]
 
     def solving(self, path, *arguments):
         return ["fzn-gecode", "-s", "1", *arguments, path]
@@ -253,8 +244,7 @@ class Gecode(Peer):
         init = re.search(r"initTime=(\S+)", "".join(child.lines[-20:]))
         total.preparation += min(child.cpu, self.start_cpu() + (float(init.group(1)) if init else 0.0))
         values = flatzinc_values(child.lines)
-        choices = load_addresses(request.problem)
-        total.solutions += [choices(solution, request.params) for solution in values]
+        total.solutions += [choices(request.problem, request.params, solution) for solution in values]
         total.further += further_cpu(child, len(values))
         total.stamps = child.stamps
         total.out_of_time = child.out_of_time
@@ -285,8 +275,8 @@ class Clasp(Peer):
     """gringo grounds once, clasp solves. Solutions that differ come from random signs and a restart after each."""
     name = "clasp"
     EMPTY = "asp 1 0 0\n1 1 1 1 0 0\n4 1 a 1 1\n0\n"
-    COMMON = ["--configuration=trendy", "--sat-prepro=0"]
-    RANDOM = ["--sign-def=rnd", "--save-progress=0"]
+    COMMON = ["--configuration=handy", "--sat-prepro=0"]
+    RANDOM = ["--sign-def=rnd", "--save-progress=0", "--enum-mode=record", "--restart-on-model"]
 
     def version(self):
         return ", ".join(f"{tool} {said_version([tool, '--version'], 'version (.*)')}" for tool in ("gringo", "clasp"))
@@ -294,7 +284,10 @@ class Clasp(Peer):
     def preparing(self, request, path):
         constants = [word for name, value in request.params.items()
                      for word in ("-c", f"{name}={int(value)}")]
-        return ["gringo", *constants, str(problem_file(request.problem, ".lp"))]
+        pinned = str(path) + ".pins.lp"
+        Path(pinned).write_text("".join(f":- not {array}({index},{value}).\n" for array, index, value
+                                        in variables(request.problem, request.params, request.pins)))
+        return ["gringo", *constants, str(problem_file(request.problem, ".lp")), pinned]
 
     def solving(self, path, *arguments):
         # Lines leave clasp as they come only if it is told to.
@@ -304,15 +297,13 @@ class Clasp(Peer):
         path, preparation, why = self.prepare(request)
         if not path:
             return Answer(cpu=preparation, out_of_time=True)
-        arguments = {"first": ["-n", "1", *self.COMMON, *self.RANDOM],
-                     "plain": ["-n", str(request.count), *self.COMMON, *self.RANDOM],
-                     "diverse": ["-n", str(request.count), *self.COMMON, *self.RANDOM, "--enum-mode=record",
-                                 "--restart-on-model"],
+        arguments = {"first": ["-n", "1", *self.COMMON],
+                     "plain": ["-n", str(request.count), *self.COMMON],
+                     "diverse": ["-n", str(request.count), *self.COMMON, *self.RANDOM],
                      "all": ["-n", "0"]}[request.kind]
         child = measure.run(self.solving(path, f"--seed={request.seed}", *arguments), request.limit,
                             request.count or None, is_model, request.stamp_at)
-        choices = load_addresses(request.problem)
-        solutions = [choices(atoms(line), request.params) for line in child.lines if is_model(line)]
+        solutions = [choices(request.problem, request.params, atoms(line)) for line in child.lines if is_model(line)]
         return Answer(solutions, preparation + child.cpu, preparation + self.start_cpu(),
                       further_cpu(child, len(solutions)), child.memory, child.stamps, child.out_of_time)
 
@@ -338,15 +329,16 @@ class Z3(Peer):
 
     def answer(self, request):
         command = [PYTHON, str(HERE / "z3_runner.py"), request.problem, json.dumps(request.params), request.kind,
-                   str(request.seed), str(request.count)]
+                   str(request.seed), str(request.count),
+                   json.dumps(variables(request.problem, request.params, request.pins))]
         child = measure.run(command, request.limit, request.count or None, lambda line: "values" in line)
         reports = [json.loads(line) for line in child.lines]
         if child.status == 1:
             return Answer(refused=child.errors.splitlines()[-1])
         solved = [report for report in reports if "values" in report]
-        choices = load_addresses(request.problem)
-        solutions = [choices({name: dict(enumerate(values, 1)) for name, values in report["values"].items()},
-                             request.params) for report in solved]
+        solutions = [choices(request.problem, request.params,
+                             {name: dict(enumerate(values, 1)) for name, values in report["values"].items()})
+                     for report in solved]
         preparation = reports[0]["preparation"] if reports else child.cpu
         further = solved[-1]["cpu"] - solved[0]["cpu"] if solved else 0.0
         done = len(solutions) >= (request.count or float("inf")) or any("end" in report for report in reports)

@@ -1,4 +1,4 @@
-"""Solves a problem's Z3 model: z3_runner.py PROBLEM PARAMS KIND SEED COUNT. Prints a JSON object a line.
+"""Solves a problem's Z3 model: z3_runner.py PROBLEM PARAMS KIND SEED COUNT PINS. Prints a JSON object a line.
 
 A model's module says by LOGIC what it is stated in, by DIVERSE how solutions that differ are cheapest to get:
 
@@ -11,12 +11,13 @@ import sys
 import time
 from pathlib import Path
 
+import z3
+
 PROBLEMS = Path(__file__).resolve().parent / "problems"
 
 
-def main(problem, params, kind, seed, count):
+def main(problem, params, kind, seed, count, pins):
     sys.path[:0] = [str(PROBLEMS), str(PROBLEMS / problem)]
-    import z3
     model = importlib.import_module(f"{problem}_z3")
     how = getattr(model, "DIVERSE", "fresh")
     if kind == "diverse":
@@ -25,6 +26,7 @@ def main(problem, params, kind, seed, count):
             z3.set_param(name, value)
     collected = z3.Solver()
     variables = model.model(collected, params)
+    collected.add([equals(variables[array][index - 1], value) for array, index, value in pins])
     flat = [value for array in variables.values() for value in array]
 
     def new_solver(seed):
@@ -64,6 +66,14 @@ def plain(value, answer):
     return int(value.as_long()) if hasattr(value, "as_long") else int(bool(value))
 
 
+def equals(value, number):
+    if isinstance(value, list):
+        return z3.And([bit == bool(number >> place & 1) for place, bit in enumerate(value)])
+    if isinstance(value, tuple):
+        return value[number]
+    return value == (bool(number) if z3.is_bool(value) else number)
+
+
 def different(value, answer):
     """Literals, one of which holds where the value is another one."""
     if isinstance(value, list):
@@ -78,5 +88,5 @@ def say(**report):
 
 
 if __name__ == "__main__":
-    problem, params, kind, seed, count = sys.argv[1:]
-    main(problem, json.loads(params), kind, int(seed), int(count))
+    problem, params, kind, seed, count, pins = sys.argv[1:]
+    main(problem, json.loads(params), kind, int(seed), int(count), json.loads(pins))

@@ -1,2 +1,2 @@
-def choices(values, params):
-    return {f"row[{i}]": values["row"][i + 1] for i in range(params["n"])}
+def names(params):
+    return {f"row[{i}]": ("row", i + 1) for i in range(params["n"])}

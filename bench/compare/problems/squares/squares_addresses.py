@@ -1,2 +1,2 @@
-def choices(values, params):
-    return {f"{axis}[{i}]": values[axis][i + 1] for axis in "xy" for i in range(params["squares"])}
+def names(params):
+    return {f"{axis}[{i}]": (axis, i + 1) for axis in "xy" for i in range(params["squares"])}

@@ -1,10 +1,11 @@
-// Workspaces: groups of two joined tables with a sofa and two chairs at each, shelves and a whiteboard along the walls,
+// Workspaces: groups of two joined tables with a sofa and chairs at each, shelves and a whiteboard along the walls,
 // an aisle between the groups. The room is as large as it needs to be, up to `most`.
 import "std/layout.sol";
 
 param groups = 3;
 param most = 35;   // no room is wider or deeper
 param aisle = 2;
+param chairs = 2;   // at each table
 
 fun make_group() {
   tables = [anywhere("table", 6, 3, most, most) for i in 1..2];
@@ -12,9 +13,9 @@ fun make_group() {
   seats = [];
   for table in tables {
     sofa = anywhere("sofa", 6, 3, most, most);
-    chairs = [anywhere("chair", 2, 2, most, most) for i in 1..2];
-    for seat in [sofa] + chairs: assert(facing(seat, table), "each seat faces its table");
-    seats = seats + [sofa] + chairs;
+    own = [sofa] + [anywhere("chair", 2, 2, most, most) for i in 1..chairs];
+    for seat in own: assert(facing(seat, table), "each seat faces its table");
+    seats = seats + own;
   }
   return tables + seats;
 }

@@ -1,14 +1,11 @@
-def choices(values, params):
+def names(params):
     groups = params["groups"]
     things = [f"make_group[{g}]/{name}" for g in range(groups)
-              for name in ("anywhere[0]", "anywhere[1]", *seats(0), *seats(1))]
+              for name in ("anywhere[0]", "anywhere[1]", *seats(0, params), *seats(1, params))]
     things += [f"anywhere[{i}]" for i in range(groups)] + ["anywhere#2"]
-    at = {"w": values["room"][1], "d": values["room"][2]}
-    for index, thing in enumerate(things, 1):
-        for name in ("turn", "x", "y"):
-            at[f"{thing}/{name}"] = values[name][index]
-    return at
+    return {"w": ("room", 1), "d": ("room", 2),
+            **{f"{thing}/{name}": (name, index) for index, thing in enumerate(things, 1) for name in ("turn", "x", "y")}}
 
 
-def seats(table):
-    return f"anywhere#2[{table}]", f"anywhere#3[{table}][0]", f"anywhere#3[{table}][1]"
+def seats(table, params):
+    return [f"anywhere#2[{table}]", *(f"anywhere#3[{table}][{i}]" for i in range(params["chairs"]))]

@@ -6,7 +6,6 @@ from layout_z3 import Differences, Layout, make_box
 
 LOGIC = Differences.logic
 
-GROUP = [(6, 3)] * 2 + [(6, 3), (2, 2), (2, 2)] * 2
 
 
 def joined(layout, a, b):
@@ -21,8 +20,10 @@ def model(solver, params):
     numbers = Differences(solver)
     layout = Layout(numbers)
     groups, most = params["groups"], params["most"]
+    seats = [(6, 3)] + [(2, 2)] * params["chairs"]
+    sizes = [(6, 3)] * 2 + seats * 2
     width, depth = numbers.number("width", 8, most), numbers.number("depth", 8, most)
-    members = [[make_box(numbers, f"g{g}.{i}", w, d, most) for i, (w, d) in enumerate(GROUP)] for g in range(groups)]
+    members = [[make_box(numbers, f"g{g}.{i}", w, d, most) for i, (w, d) in enumerate(sizes)] for g in range(groups)]
     walled = [make_box(numbers, f"s{i}", 4, 1, most) for i in range(groups)] + [make_box(numbers, "board", 7, 2, most)]
     things = sum(members, []) + walled
 
@@ -31,7 +32,8 @@ def model(solver, params):
     for group in members:
         solver.add(joined(layout, *group[:2]))
         for table in (0, 1):
-            solver.add([layout.facing(seat, group[table]) for seat in group[2 + 3 * table:5 + 3 * table]])
+            first = 2 + table * len(seats)
+            solver.add([layout.facing(seat, group[table]) for seat in group[first:first + len(seats)]])
     team = {id(o): number for number, group in enumerate(members) for o in group}
     for a, b in combinations(things, 2):
         between_groups = id(a) in team and id(b) in team and team[id(a)] != team[id(b)]
