@@ -1,12 +1,21 @@
 """Between the peers' variables and Solitaire's choices.
 
-Each problem has PROBLEM_addresses.py with names(params): the addresses of the choices, and for each the array and the
-index (from 1) of the variable that stands for it, and a second pair if the choice is only there where that one is 1.
+Each problem has PROBLEM_addresses.py with names(params): the addresses of the choices, and for each the variable that
+stands for it.
 """
 import importlib.util
+from dataclasses import dataclass
 from functools import cache
 
 from paths import problem_file
+
+
+@dataclass(frozen=True)
+class Variable:
+    array: str
+    index: int            # from 1
+    scale: int = 1        # the choice's value is so many times the variable's
+    there: tuple = ()     # array and index of the variable that is 1 where the choice is there at all
 
 
 @cache
@@ -19,8 +28,9 @@ def load(problem):
 
 def choices(problem, params, values):
     """{address: value} from {array: {index: value}}."""
-    return {at: values[array][index] for at, (array, index, *there) in load(problem).names(params).items()
-            if not there or values[there[0][0]][there[0][1]] == 1}
+    return {at: values[variable.array][variable.index] * variable.scale
+            for at, variable in load(problem).names(params).items()
+            if not variable.there or values[variable.there[0]][variable.there[1]] == 1}
 
 
 def variables(problem, params, pins):
@@ -28,7 +38,8 @@ def variables(problem, params, pins):
     names = load(problem).names(params)
     pinned = set()
     for at, value in pins.items():
-        array, index, *there = names[at]
-        pinned.add((array, index, int(value)))
-        pinned.update((*pair, 1) for pair in there)
+        variable = names[at]
+        pinned.add((variable.array, variable.index, int(value) // variable.scale))
+        if variable.there:
+            pinned.add((*variable.there, 1))
     return sorted(pinned)

@@ -47,7 +47,7 @@ class Answer:
 
 
 def complaint(child):
-    lines = [line for line in child.errors.splitlines() if line.strip()]
+    lines = [line for line in child.errors.splitlines() if line.strip() and not line.startswith("Warning")]
     return lines[0] if lines else f"exit status {child.status}"
 
 
