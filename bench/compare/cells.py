@@ -13,8 +13,7 @@ CHECKED = 2    # solutions of each cell that Solitaire runs again
 @dataclass
 class Cell:
     seconds: list = field(default_factory=list)      # per solution, without preparation
-    whole: list = field(default_factory=list)        # the same for the whole run, preparation included
-    preparation: list = field(default_factory=list)
+    whole: list = field(default_factory=list)        # of a first solution, preparation and start included
     distances: list = field(default_factory=list)
     memory: int = 0
     found: int = 0              # the fewest solutions of a run
@@ -32,8 +31,8 @@ class Cell:
         return median(self.distances) if self.distances else None
 
     @property
-    def prepared(self):
-        return median(self.preparation) if self.preparation else 0.0
+    def whole_value(self):
+        return median(self.whole) if self.whole else None
 
 
 def measure_cell(row, kind, system, checker, options):
@@ -61,15 +60,13 @@ def add(cell, answer, kind, row):
     number = len(answer.solutions)
     cell.found = min(cell.found or number, number)
     cell.memory = max(cell.memory, answer.memory)
-    cell.preparation.append(answer.preparation)
     cell.out_of_time = cell.out_of_time or answer.out_of_time
     if kind in ("first", "all"):
         if not answer.out_of_time:
             cell.seconds.append(max(answer.solving, RESOLUTION))
-            cell.whole.append(answer.cpu)
+            cell.whole.append(answer.preparation + answer.cpu)
     elif not answer.out_of_time or number > ENOUGH:
         cell.seconds.append(max(answer.further, RESOLUTION) / max(number - 1, 1))
-        cell.whole.append(answer.cpu / max(number, 1))
     if kind == "diverse" and number > 1:
         cell.distances.append(mean_distance(answer.solutions))
 

@@ -58,9 +58,9 @@ def read_options():
     parser.add_argument("--solitaire", default=str(ROOT / "build-bench" / "app" / "solitaire"),
                         help="the program to measure (the one that bin/bench builds)")
     parser.add_argument("--seeds", type=int, help="runs of each cell, with seeds from 1 (5; with --quick 3)")
-    parser.add_argument("--limit", type=float, help="CPU seconds of one run (60; with --quick 10)")
+    parser.add_argument("--limit", type=float, help="CPU seconds of one run (60; with --quick 8)")
     parser.add_argument("--cell-limit", type=float,
-                        help="CPU seconds after which a cell gets no further seed (60; with --quick 10)")
+                        help="CPU seconds after which a cell gets no further seed (60; with --quick 8)")
     parser.add_argument("--only", metavar="REGEX", help="only the rows whose names match")
     parser.add_argument("--systems", metavar="NAME,...", help="only these: solitaire, thesis, gecode, clasp, z3")
     parser.add_argument("--quick", action="store_true", help="few rows, few seeds, short limits: some minutes")
@@ -70,7 +70,7 @@ def read_options():
                         help="no times: all systems have to find the same set of solutions of tiny problems")
     options = parser.parse_args()
     options.seeds = options.seeds or (3 if options.quick else 5)
-    options.limit = options.limit or (10.0 if options.quick else 60.0)
+    options.limit = options.limit or (8.0 if options.quick else 60.0)
     options.cell_limit = options.cell_limit or options.limit
     return options
 

@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 SOLITAIRE = "solitaire"
+THESIS = "thesis"
 DIVERSE_ENOUGH = 0.75
 KINDS = {
     "first": ("First solution", "CPU seconds"),
@@ -23,7 +24,7 @@ def write(rows, systems, cells, extras, options, seconds):
         chosen = [row for row in rows if kind in row.kinds]
         if chosen:
             parts.append(f"## {title}\n\n{unit}; medians over the seeds.\n\n" + kind_table(kind, chosen, systems, cells))
-    parts += [preparation_table(rows, systems, cells), memory_table(rows, systems, cells), extras_part(extras),
+    parts += [whole_table(rows, systems, cells), memory_table(rows, systems, cells), extras_part(extras),
               READING]
     return "\n".join(part for part in parts if part)
 
@@ -72,12 +73,21 @@ def table(header, lines):
 
 
 def kind_table(kind, rows, systems, cells):
-    header = ["", *(system.name for system in systems), "best peer / solitaire"]
+    header = ["", *(system.name for system in systems), "best peer / solitaire", *thesis_header(systems)]
     lines = []
     for row in rows:
         entries = [entry(kind, cells[row.name, kind, system.name]) for system in systems]
-        lines.append([row.name, *entries, ratio_text(ratio(kind, row, systems, cells))])
+        lines.append([row.name, *entries, ratio_text(ratio(kind, row, peers(systems), cells)),
+                      *(ratio_text(ratio(kind, row, [system], cells)) for system in systems if system.name == THESIS)])
     return table(header, lines)
+
+
+def thesis_header(systems):
+    return [f"{THESIS} / solitaire" for system in systems if system.name == THESIS]
+
+
+def peers(systems):
+    return [system for system in systems if system.name not in (SOLITAIRE, THESIS)]
 
 
 def entry(kind, cell):
@@ -98,17 +108,16 @@ def entry(kind, cell):
     return text
 
 
-def ratio(kind, row, systems, cells):
-    """How many times as long the fastest peer takes. None if one of the two has no figure."""
+def ratio(kind, row, others, cells):
+    """How many times as long the fastest of the others takes. None if that cannot be told."""
     own = cells.get((row.name, kind, SOLITAIRE))
     if own is None or own.value is None:
         return None
-    peers = [cells[row.name, kind, system.name] for system in systems if system.name not in (SOLITAIRE, "thesis")]
-    times = [cell.value for cell in peers if usable(kind, cell)]
-    if not times:
-        limits = [cell.limit for cell in peers if not cell.refused and cell.value is None]
-        return float("inf") if limits else None
-    return min(times) / own.value if own.value else None
+    found = [cells[row.name, kind, system.name] for system in others]
+    times = [cell.value for cell in found if usable(kind, cell)]
+    if times:
+        return min(times) / own.value
+    return float("inf") if any(not cell.refused for cell in found) else None
 
 
 def usable(kind, cell):
@@ -121,21 +130,27 @@ def ratio_text(value):
     if value is None:
         return ""
     if value == float("inf"):
-        return "no peer"
+        return "none did"
     return f"{value:.2g}" if value < 100 else f"{value:.0f}"
 
 
-def preparation_table(rows, systems, cells):
-    peers = [system for system in systems if system.name not in (SOLITAIRE, "thesis")]
+def whole_table(rows, systems, cells):
+    chosen = [row for row in rows if "first" in row.kinds]
     lines = []
-    for row in rows:
-        kind = "first" if "first" in row.kinds else row.kinds[0]
-        found = [cells[row.name, kind, system.name] for system in peers]
-        lines.append([row.name, *("n/a" if cell.refused else f"{cell.prepared:.2g}" for cell in found)])
-    if not peers or not lines:
+    for row in chosen:
+        found = [cells[row.name, "first", system.name] for system in systems]
+        lines.append([row.name, *(whole_entry(cell) for cell in found)])
+    if not lines:
         return ""
-    text = "CPU seconds for flattening, grounding or making the model, and for starting. The tables above leave this out."
-    return f"## What the peers prepare\n\n{text}\n\n" + table(["", *(peer.name for peer in peers)], lines)
+    text = ("CPU seconds of all that runs: flattening or grounding, starting, making or reading the model, solving. The tables "
+            "above leave\nout what comes before solving, but for Solitaire.")
+    return f"## First solution, everything included\n\n{text}\n\n" + table(["", *(one.name for one in systems)], lines)
+
+
+def whole_entry(cell):
+    if cell.refused:
+        return "n/a"
+    return f"> {cell.limit:g} s" if cell.whole_value is None else f"{cell.whole_value:.3g}"
 
 
 def memory_table(rows, systems, cells):
@@ -188,7 +203,7 @@ def goals_table(rows, systems, cells, extras):
 
 
 def goal_of_ratios(title, kind, rows, systems, cells):
-    ratios = {row.name: ratio(kind, row, systems, cells) for row in rows if kind in row.kinds}
+    ratios = {row.name: ratio(kind, row, peers(systems), cells) for row in rows if kind in row.kinds}
     ratios = {name: value for name, value in ratios.items() if value is not None}
     unsolved = [row.name for row in rows if kind in row.kinds and (row.name, kind, SOLITAIRE) in cells
                 and cells[row.name, kind, SOLITAIRE].value is None]
@@ -220,10 +235,9 @@ def goal_of_memory(rows, systems, cells):
     for row in rows:
         kind = "diverse" if "diverse" in row.kinds else row.kinds[0]
         own = cells.get((row.name, kind, SOLITAIRE))
-        peers = [cells[row.name, kind, system.name].memory for system in systems
-                 if system.name not in (SOLITAIRE, "thesis") and cells[row.name, kind, system.name].memory]
-        if own and own.memory and peers:
-            ratios[row.name] = own.memory / min(peers)
+        found = [cells[row.name, kind, system.name].memory for system in peers(systems)]
+        if own and own.memory and any(found):
+            ratios[row.name] = own.memory / min(memory for memory in found if memory)
     if not ratios:
         return None
     worst = max(ratios, key=ratios.get)

@@ -12,6 +12,7 @@ import subprocess
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
+from statistics import median
 
 import measure
 from addresses import choices, variables
@@ -33,9 +34,10 @@ class Request:
 @dataclass
 class Answer:
     solutions: list = field(default_factory=list)   # {address: value}
-    cpu: float = 0.0           # everything that ran for this request
-    preparation: float = 0.0   # of that, what is not solving: flattening, grounding, starting
+    cpu: float = 0.0           # CPU seconds of the processes that solve
+    start: float = 0.0         # of that, what is not solving: starting, reading the prepared model
     further: float = 0.0       # of that, what came after the first solution
+    preparation: float = 0.0   # not of that: flattening, grounding
     memory: int = 0
     stamps: dict = field(default_factory=dict)
     out_of_time: bool = False
@@ -43,7 +45,7 @@ class Answer:
 
     @property
     def solving(self):
-        return max(self.cpu - self.preparation, 0.0)
+        return max(self.cpu - self.start, 0.0)
 
 
 def complaint(child):
@@ -89,8 +91,8 @@ class Solitaire:
         if child.status in (2, 3):
             return Answer(refused=complaint(child))
         solutions = [{choice["at"]: choice["value"] for choice in json.loads(line)["choices"]} for line in child.lines]
-        return Answer(solutions, child.cpu, 0.0, further_cpu(child, len(solutions)), child.memory, child.stamps,
-                      child.out_of_time)
+        return Answer(solutions, child.cpu, further=further_cpu(child, len(solutions)), memory=child.memory,
+                      stamps=child.stamps, out_of_time=child.out_of_time)
 
     def accepts(self, problem, params, solution, limit):
         """Whether these choices, all of them, are a solution."""
@@ -104,10 +106,11 @@ class Solitaire:
 
 
 class Restarted:
-    """Another system, run anew with a fresh seed for each diverse solution."""
+    """Another system, run anew with a fresh seed for each diverse solution, of which there may be fewer than asked for."""
 
-    def __init__(self, system):
+    def __init__(self, system, most=None):
         self.system = system
+        self.most = most
         self.name = system.name
         self.version = system.version
 
@@ -117,9 +120,10 @@ class Restarted:
         total = Answer()
         seen = set()
         attempt = 0
-        while len(total.solutions) < request.count and attempt < 3 * request.count:
+        count = min(request.count, self.most or request.count)
+        while len(total.solutions) < count and attempt < 3 * count:
             one = self.system.answer(Request(request.problem, request.params, "diverse",
-                                             1000 * request.seed + attempt, 1, request.limit - total.cpu))
+                                             1000 * request.seed + attempt, 1, request.limit - total.solving))
             attempt += 1
             if one.refused:
                 return one
@@ -130,18 +134,19 @@ class Restarted:
                 if key not in seen:
                     seen.add(key)
                     total.solutions.append(solution)
-            if one.out_of_time or total.cpu >= request.limit - 1 or not one.solutions:
-                total.out_of_time = len(total.solutions) < request.count
+            if one.out_of_time or total.solving >= request.limit - 1 or not one.solutions:
+                total.out_of_time = len(total.solutions) < count
                 break
         return total
 
 
 def add_up(total, one, is_further):
     total.cpu += one.cpu
-    total.preparation += one.preparation
+    total.start += one.start
+    total.preparation = one.preparation
     total.memory = max(total.memory, one.memory)
     if is_further:
-        total.further += one.solving
+        total.further += one.cpu - one.start
 
 
 class Peer:
@@ -150,7 +155,7 @@ class Peer:
     def __init__(self):
         self.folder = tempfile.TemporaryDirectory()
         self.prepared = {}
-        self.start = None
+        self.starts = {}
 
     def prepare(self, request):
         """The prepared model's file and the CPU seconds that preparing took."""
@@ -159,7 +164,7 @@ class Peer:
             path = str(Path(self.folder.name) / f"{len(self.prepared)}")
             child = measure.run(self.preparing(request, path), request.limit)
             if child.status != 0 or child.out_of_time:
-                self.prepared[key] = None, child.cpu, complaint(child)
+                self.prepared[key] = None, child.cpu, "" if child.out_of_time else complaint(child)
             else:
                 if not os.path.exists(path):
                     Path(path).write_text("".join(child.lines))
@@ -169,13 +174,11 @@ class Peer:
     def variant(self, request):
         return ""
 
-    def start_cpu(self):
-        """What it takes to solve an empty model: the median of several."""
-        if self.start is None:
-            path = Path(self.folder.name) / "empty"
-            path.write_text(self.EMPTY)
-            self.start = sorted(measure.run(self.solving(str(path)), 10).cpu for _ in range(5))[2]
-        return self.start
+    def start_cpu(self, path, *arguments):
+        """The CPU seconds of a run that does not come to solving anything: the median of several."""
+        if path not in self.starts:
+            self.starts[path] = median(measure.run(self.solving(path, *arguments), 60).cpu for _ in range(5))
+        return self.starts[path]
 
 
 class Gecode(Peer):
@@ -185,7 +188,6 @@ class Gecode(Peer):
     with another seed, until one gets anywhere. Solutions that differ come from a fresh seed for each.
     """
     name = "gecode"
-    EMPTY = "var 0..1: x :: output_var;\nsolve satisfy;\n"
     FAILURES = {"workspace": 250}   # before a search begins anew; for others 1000: found best by trial
 
     def failures(self, request):
@@ -211,13 +213,13 @@ class Gecode(Peer):
                 str(problem_file(request.problem, ".mzn")), pinned, "-D", text]
 
     def solving(self, path, *arguments):
-        return ["fzn-gecode", "-s", "1", *arguments, path]
+        return ["fzn-gecode", *arguments, path]
 
     def answer(self, request):
         path, preparation, why = self.prepare(request)
         if not path:
-            return Answer(cpu=preparation, out_of_time=True, refused="" if not why else why)
-        total = Answer(cpu=preparation, preparation=preparation)
+            return Answer(preparation=preparation, out_of_time=True, refused=why)
+        total = Answer(preparation=preparation)
         if request.kind == "all":
             self.search(total, request, path, "-n", "0")
         elif request.kind == "plain":
@@ -246,8 +248,7 @@ class Gecode(Peer):
                             lambda line: line.startswith("----------"), request.stamp_at)
         total.cpu += child.cpu
         total.memory = max(total.memory, child.memory)
-        init = re.search(r"initTime=(\S+)", "".join(child.lines[-20:]))
-        total.preparation += min(child.cpu, self.start_cpu() + (float(init.group(1)) if init else 0.0))
+        total.start += self.start_cpu(path, "-node", "1")   # it reads the model and stops at the root
         values = flatzinc_values(child.lines)
         total.solutions += [choices(request.problem, request.params, solution) for solution in values]
         total.further += further_cpu(child, len(values))
@@ -279,7 +280,6 @@ def number(text):
 class Clasp(Peer):
     """gringo grounds once, clasp solves. Solutions that differ come from random signs and a restart after each."""
     name = "clasp"
-    EMPTY = "asp 1 0 0\n1 1 1 1 0 0\n4 1 a 1 1\n0\n"
     COMMON = ["--configuration=handy", "--sat-prepro=0"]
     RANDOM = ["--sign-def=rnd", "--save-progress=0", "--enum-mode=record", "--restart-on-model"]
 
@@ -294,6 +294,12 @@ class Clasp(Peer):
                                         in variables(request.problem, request.params, request.pins)))
         return ["gringo", *constants, str(problem_file(request.problem, ".lp")), pinned]
 
+    def empty(self):
+        """A program of nothing. Reading the ground program is part of clasp's solving: it simplifies while it reads."""
+        path = Path(self.folder.name) / "empty"
+        path.write_text("asp 1 0 0\n0\n")
+        return str(path)
+
     def solving(self, path, *arguments):
         # Lines leave clasp as they come only if it is told to.
         return ["stdbuf", "-oL", "clasp", "-V0", "-q0", *arguments, path]
@@ -301,7 +307,7 @@ class Clasp(Peer):
     def answer(self, request):
         path, preparation, why = self.prepare(request)
         if not path:
-            return Answer(cpu=preparation, out_of_time=True)
+            return Answer(preparation=preparation, out_of_time=True, refused=why)
         arguments = {"first": ["-n", "1", *self.COMMON],
                      "plain": ["-n", str(request.count), *self.COMMON],
                      "diverse": ["-n", str(request.count), *self.COMMON, *self.RANDOM],
@@ -309,8 +315,8 @@ class Clasp(Peer):
         child = measure.run(self.solving(path, f"--seed={request.seed}", *arguments), request.limit,
                             request.count or None, is_model, request.stamp_at)
         solutions = [choices(request.problem, request.params, atoms(line)) for line in child.lines if is_model(line)]
-        return Answer(solutions, preparation + child.cpu, preparation + self.start_cpu(),
-                      further_cpu(child, len(solutions)), child.memory, child.stamps, child.out_of_time)
+        return Answer(solutions, child.cpu, self.start_cpu(self.empty()), further_cpu(child, len(solutions)), preparation,
+                      child.memory, child.stamps, child.out_of_time)
 
 
 def is_model(line):
@@ -344,13 +350,13 @@ class Z3(Peer):
         solutions = [choices(request.problem, request.params,
                              {name: dict(enumerate(values, 1)) for name, values in report["values"].items()})
                      for report in solved]
-        preparation = reports[0]["preparation"] if reports else child.cpu
+        start = reports[0]["start"] if reports else child.cpu
         further = solved[-1]["cpu"] - solved[0]["cpu"] if solved else 0.0
         done = len(solutions) >= (request.count or float("inf")) or any("end" in report for report in reports)
-        return Answer(solutions, child.cpu, preparation, further, child.memory,
+        return Answer(solutions, child.cpu, start, further, 0.0, child.memory,
                       {index: report["cpu"] for index, report in enumerate(solved, 1)}, not done)
 
 
 def all_systems(binary):
-    return [Solitaire("solitaire", binary), Restarted(Solitaire("thesis", binary, ["--engine=thesis"])),
+    return [Solitaire("solitaire", binary), Restarted(Solitaire("thesis", binary, ["--engine=thesis"]), most=21),
             Restarted(Gecode()), Clasp(), Z3()]

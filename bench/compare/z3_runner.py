@@ -1,6 +1,6 @@
 """Solves a problem's Z3 model: z3_runner.py PROBLEM PARAMS KIND SEED COUNT PINS. Prints a JSON object a line.
 
-A model's module says by LOGIC what it is stated in, by DIVERSE how solutions that differ are cheapest to get:
+A model's module says by LOGIC what it is stated in, and by diverse(params) how solutions that differ are cheapest to get:
 
 incremental  one solver with random phases and values
 fresh        the same, but a new solver for each solution
@@ -19,7 +19,7 @@ PROBLEMS = Path(__file__).resolve().parent / "problems"
 def main(problem, params, kind, seed, count, pins):
     sys.path[:0] = [str(PROBLEMS), str(PROBLEMS / problem)]
     model = importlib.import_module(f"{problem}_z3")
-    how = getattr(model, "DIVERSE", "fresh")
+    how = model.diverse(params)
     if kind == "diverse":
         for name, value in (("sat.phase", "random"), ("smt.phase_selection", 5),
                             ("smt.arith.random_initial_value", True)):
@@ -38,7 +38,7 @@ def main(problem, params, kind, seed, count, pins):
 
     solver = new_solver(seed)
     start = time.process_time()
-    say(preparation=start)
+    say(start=start)
     found = 0
     blocked = []
     while not count or found < count:

@@ -7,6 +7,10 @@ from layout_z3 import Box, Differences, Layout
 LOGIC = Differences.logic
 
 
+def diverse(params):
+    return "incremental"
+
+
 def model(solver, params):
     """Lengths are in units of the grid."""
     numbers = Differences(solver)

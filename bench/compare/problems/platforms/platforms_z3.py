@@ -5,6 +5,10 @@ from z3 import And, Bool, Int, Not, Or
 LOGIC = "QF_IDL"
 
 
+def diverse(params):
+    return "incremental" if params["platforms"] <= 6 else "fresh"
+
+
 def model(solver, params):
     """A box is its edges along x and along y, all of them variables."""
     platforms, most = params["platforms"], 8 * params["platforms"]

@@ -3,7 +3,10 @@ from itertools import combinations
 from z3 import Bool, Not, Or
 
 LOGIC = "QF_BV"
-DIVERSE = "incremental"
+
+
+def diverse(params):
+    return "incremental"
 
 
 def model(solver, params):

@@ -13,6 +13,10 @@ SHAPES = [
 ]
 
 
+def diverse(params):
+    return "fresh"
+
+
 def model(solver, params):
     """The edges of the boxes are variables that the type ties to the structure's place."""
     hull = [[(start, start + size) for start, size in box] for box in SHAPES[0]]

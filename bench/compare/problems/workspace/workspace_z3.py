@@ -8,6 +8,10 @@ LOGIC = Differences.logic
 
 
 
+def diverse(params):
+    return "incremental" if params["groups"] <= 2 else "fresh"
+
+
 def joined(layout, a, b):
     """Two boxes of one size, so their extents along the shared edge are equal where their turns agree."""
     same_x, same_y = layout.equal(a.x, 0, b.x), layout.equal(a.y, 0, b.y)
