@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
 
@@ -35,6 +36,10 @@ std::size_t most_bytes() {
 }  // namespace
 
 void run_on_large_stack(const std::function<void()>& work) {
+  // One thread does the work: its memory is to grow in large steps, as the first thread's would.
+  mallopt(M_ARENA_MAX, 1);
+  mallopt(M_TOP_PAD, 16 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
   constexpr std::size_t kMiB = std::size_t{1} << 20;
   // Only what is used of it takes memory; where address space is limited, less has to do.
   for (const std::size_t size : {1024 * kMiB, 256 * kMiB, 64 * kMiB}) {

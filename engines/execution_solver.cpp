@@ -22,7 +22,7 @@ ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, con
   const std::uint64_t solver_seed = RandomStream(options.seed, Purpose::kSolver, stream).next();
   solver_ = options.backend == Backend::kZ3
                 ? make_z3_solver(graph_, addresses_, {solver_seed, options.diverse})
-                : make_cadical_solver(graph_, {solver_seed});
+                : make_cadical_solver(graph_, {solver_seed, options.diverse});
   if (options.effort > 0) solver_->limit_effort(options.effort);
 }
 

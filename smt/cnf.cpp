@@ -58,6 +58,17 @@ void Cnf::write(Clause clause) {
   sink_.clause(buffer_);
 }
 
+/// Without looking for what could be part of the clause: there are many of these.
+void Cnf::write_plain(int head, std::initializer_list<Literal> literals) {
+  buffer_.clear();
+  if (head != 0) buffer_.push_back(head);
+  for (const Literal literal : literals) {
+    if (literal == kTrueLiteral) return;
+    if (literal != kFalseLiteral) buffer_.push_back(demand(literal));
+  }
+  sink_.clause(buffer_);
+}
+
 /// Replaces disjunctions by their operands; false if the clause always holds.
 bool Cnf::flatten(std::vector<Literal>& literals) const {
   for (std::size_t i = 0; i < literals.size();) {
@@ -124,6 +135,10 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
       push({a ^ negated, b ^ negated});
       push({a ^ negated, c ^ negated});
       return push({b ^ negated, c ^ negated});
+    case Circuit::Kind::kDefined:
+      if (!rest.literals.empty()) return circuit_.definition(literal).write(negated, push);
+      return circuit_.definition(literal).write(
+          negated, [&](std::initializer_list<Literal> literals) { write_plain(rest.head, literals); });
   }
 }
 

@@ -29,7 +29,9 @@ class Cnf {
   int assumable(Literal literal);
   /// The variable that stands for an input of the circuit.
   int variable(Literal input) { return number(input); }
-  /// The same, 0 if no clause has met the input yet.
+  /// How many variables there are.
+  int variables() const { return variables_; }
+  /// The variable of an input, 0 if no clause has met the input yet.
   int known_variable(Literal input) const;
 
  private:
@@ -40,6 +42,7 @@ class Cnf {
 
   void write_all();
   void write(Clause clause);
+  void write_plain(int head, std::initializer_list<Literal> literals);
   bool flatten(std::vector<Literal>& literals) const;
   bool distribute(const Clause& clause);
   void define(Literal literal);
