@@ -130,6 +130,13 @@ void add_search_options(CLI::App& command, Options& options) {
                                                                           {"result", Distinct::kResult}})
                       .description("choices|result"));
   command
+      .add_option("--diversity", options.diversity,
+                  "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
+                  "'normal' (default) starts each search at random values")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Diversity>{{"low", Diversity::kLow},
+                                                                           {"normal", Diversity::kNormal}})
+                      .description("low|normal"));
+  command
       .add_option(
           "--formula", options.formula,
           "write what holds in the solutions that are left at the end, which is unsatisfiable if there "

@@ -23,6 +23,9 @@ enum ExitStatus : int {
   kLimit = 4,  // time, memory or an interrupt came first; what was found is kept
 };
 
+/// How hard to try for solutions that differ much.
+enum class Diversity : std::uint8_t { kLow, kNormal, kHigh };
+
 enum class Distinct : std::uint8_t { kChoices, kResult };
 
 /// What the command line asks for.
@@ -33,6 +36,7 @@ struct Options {
   std::uint64_t count = 1;
   bool all = false;
   Distinct distinct = Distinct::kChoices;
+  std::optional<Diversity> diversity;  // normal, with --all low
   std::filesystem::path output = "out";
   bool json = false;
   bool timings = false;

@@ -26,7 +26,7 @@ Search::Search(const Session& session, const Options& options, Watchdog& watchdo
       options_(options),
       watchdog_(watchdog),
       series_(session.program(), session.params(), session.tracing_options(),
-              {options.distinct == Distinct::kResult, !options.all}) {}
+              {options.distinct == Distinct::kResult, session.tracing_options().diverse}) {}
 
 void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen) {
   for (const Solution& solution : series_.resume(earlier)) seen(++solutions_, solution);

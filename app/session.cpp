@@ -40,7 +40,8 @@ TracingOptions Session::tracing_options() const {
   tracing.exploration = options_.exploration();
   tracing.seed = options_.seed;
   tracing.backend = options_.backend;
-  tracing.diverse = !options_.all;
+  tracing.diverse =
+      options_.diversity.value_or(options_.all ? Diversity::kLow : Diversity::kNormal) != Diversity::kLow;
   tracing.relax = options_.relax;
   tracing.improvement_time = options_.per_solution;
   tracing.pins = pins_;

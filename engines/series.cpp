@@ -49,7 +49,6 @@ std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
   }
   std::size_t last_start = 0;
   while (options_.restarts && after_start(last_start) <= earlier.size()) last_start = after_start(last_start);
-  if (!options_.restarts) last_start = earlier.size();
   for (std::size_t i = 0; i < last_start; ++i) results_.add(known[i].execution);
   const auto middle = earlier.begin() + static_cast<std::ptrdiff_t>(last_start);
   solutions_.assign(earlier.begin(), middle);
@@ -89,7 +88,7 @@ bool Series::catch_up() {
 std::optional<Solution> Series::next_different() {
   while (true) {
     std::optional<Solution> solution = engine_->next();
-    if (!solution || results_.add(solution->execution) || !options_.distinct_results) return solution;
+    if (!solution || !options_.distinct_results || results_.add(solution->execution)) return solution;
     ++alike_;
   }
 }

@@ -93,6 +93,7 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
       choices_(pins_),
       solver_(program, params_, for_solver(options, solution_stop_), choices_, graph_, addresses_,
               firmness(options.relax), known_solutions),
+      may_enumerate_(!options.diverse && !options.relax && options.backend == Backend::kCadical),
       first_(known_solutions) {
   limits_.keep_going = options.relax;
 }
@@ -118,6 +119,11 @@ std::optional<Solution> TracingEngine::next() {
   const auto start = StopSignal::Clock::now();
   try {
     solver_.explore();
+    if (may_enumerate_) {
+      meet_pass();
+      std::optional<Solution> solution = next_enumerated();
+      if (solution || ending_ != Ending::kNone) return solution;
+    }
   } catch (const Interrupted&) {
     ending_ = Ending::kStopped;
     return std::nullopt;
@@ -131,10 +137,68 @@ std::optional<Solution> TracingEngine::next() {
   }
   if (!best) return std::nullopt;
   improve(*best, start);
-  Known known;
-  for (const MetChoice& choice : best->solution.choices) known.values.emplace(choice.address, choice.value);
-  exclude_known(known_.emplace_back(std::move(known)));
+  exclude_known(remember(best->solution));
   return std::move(best->solution);
+}
+
+TracingEngine::Known& TracingEngine::remember(const Solution& solution) {
+  Known& known = known_.emplace_back();
+  for (const MetChoice& choice : solution.choices) known.values.emplace(choice.address, choice.value);
+  return known;
+}
+
+/// Where the solutions are all as good, and no path is left unexplored.
+bool TracingEngine::can_enumerate() const {
+  return may_enumerate_ && solver_.trace().blockers.empty() && solver_.trace().wishes.empty();
+}
+
+/// Nothing if there is none, or another way has to find it.
+std::optional<Solution> TracingEngine::next_enumerated() {
+  if (!can_enumerate()) return std::nullopt;
+  if (!enumerator_) enumerator_ = make_enumerator();
+  const Enumerator::Outcome outcome = [&] {
+    const Stopwatch watch(solver_.times().solve);
+    return enumerator_->next(solution_stop_);
+  }();
+  switch (outcome) {
+    case Enumerator::Outcome::kFound:
+      break;
+    case Enumerator::Outcome::kNone:
+      ending_ = Ending::kExhausted;
+      return std::nullopt;
+    case Enumerator::Outcome::kStopped:
+      ending_ = Ending::kStopped;
+      return std::nullopt;
+    case Enumerator::Outcome::kTooHard:
+      may_enumerate_ = false;
+      for (Known& known : known_) exclude_known(known);
+      return std::nullopt;
+  }
+  Assignment assignment(graph_, [this](std::size_t variable) { return enumerator_->value(variable); });
+  Solution solution = take_solution(std::move(assignment)).solution;
+  remember(solution);
+  return solution;
+}
+
+/// A choice that an execution does not meet makes no difference: it has its lowest value there.
+std::unique_ptr<Enumerator> TracingEngine::make_enumerator() {
+  const Stopwatch watch(solver_.times().encode);
+  std::map<std::size_t, NodeId> met;
+  for (const TraceChoice& choice : solver_.trace().choices) {
+    if (graph_.node(choice.variable).is_constant()) continue;
+    NodeId& guard = met.try_emplace(graph_.node(choice.variable).payload, kFalse).first->second;
+    guard = graph_.disjunction(guard, choice.guard);
+  }
+  std::vector<NodeId> conditions = formula();
+  std::vector<std::size_t> choices;
+  for (const auto& [variable, guard] : met) {
+    const NodeId lowest = graph_.constant(graph_.variables()[variable].domain.lo);
+    conditions.push_back(
+        graph_.disjunction(guard, graph_.apply(Op::kEqInt, {graph_.variable_node(variable), lowest})));
+    choices.push_back(variable);
+  }
+  std::erase(conditions, kTrue);
+  return std::make_unique<Enumerator>(graph_, conditions, choices);
 }
 
 /// Makes the solution better until it is proved that no better one is left, or a limit comes.
@@ -179,7 +243,7 @@ std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::in
   const Outcome outcome = find(most);
   ending_ = ending_of(outcome);
   if (outcome != Outcome::kFound) return std::nullopt;
-  return take_solution();
+  return take_solution(solver_.assignment());
 }
 
 TracingEngine::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
@@ -325,8 +389,7 @@ Execution TracingEngine::replay(const Answers& answers) {
   return execute(program_, params_, choices, addresses_, limits_);
 }
 
-TracingEngine::Found TracingEngine::take_solution() {
-  Assignment assignment = solver_.assignment();
+TracingEngine::Found TracingEngine::take_solution(Assignment assignment) {
   const Answers answers = solver_.answers(assignment);
   Found found;
   found.rank = assignment.value(objective_)->i;
@@ -377,6 +440,9 @@ Solution TracingEngine::run(const KnownChoices& choices) {
 }
 
 std::vector<NodeId> TracingEngine::formula() {
+  if (enumerator_) {
+    for (Known& known : known_) exclude_known(known);  // which it needs no clauses for
+  }
   const Trace& trace = solver_.trace();
   std::vector<NodeId> conditions;
   const ExecutionSolver::Firm firm = firmness(options_.relax);

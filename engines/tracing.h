@@ -1,5 +1,6 @@
 #pragma once
 #include "engines/execution_solver.h"
+#include "smt/enumerator.h"
 
 namespace solitaire {
 
@@ -74,7 +75,11 @@ class TracingEngine : public Engine {
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
   void improve(Found& best, StopSignal::Clock::time_point start);
-  Found take_solution();
+  Known& remember(const Solution& solution);
+  bool can_enumerate() const;
+  std::unique_ptr<Enumerator> make_enumerator();
+  std::optional<Solution> next_enumerated();
+  Found take_solution(Assignment assignment);
   Execution replay(const Answers& answers);
   void complete(Solution& solution) const;
   void add_provenance(Solution& solution);
@@ -99,8 +104,10 @@ class TracingEngine : public Engine {
   Ending ending_ = Ending::kNone;
   std::size_t met_pass_ = 0;
   NodeId objective_ = kFalse;
-  std::int64_t proved_ = INT64_MIN;  // no solution that is left has a lower rank
-  bool last_was_best_ = false;       // the last solution has the rank proved_
+  std::int64_t proved_ = INT64_MIN;         // no solution that is left has a lower rank
+  bool last_was_best_ = false;              // the last solution has the rank proved_
+  std::unique_ptr<Enumerator> enumerator_;  // while it is what finds solutions
+  bool may_enumerate_;
   std::vector<Known> known_;
   std::uint64_t first_;  // number of the first solution
 };

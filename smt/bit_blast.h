@@ -33,6 +33,8 @@ class BitBlaster {
 
   /// The inputs that stand for a choice variable; none if no condition has met it.
   std::span<const Literal> choice_inputs(std::size_t variable) const;
+  /// The same, of one that is met now if none was before.
+  std::span<const Literal> add_choice(std::size_t variable) { return choice(variable).inputs; }
   /// Whether an input of the choice holds where it has the value.
   bool input_at(std::size_t variable, std::size_t input, std::int64_t value) const;
   /// The value of a choice from those of its inputs.
