@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engines/tracing.h"
+#include "engines/counting.h"
 
 namespace CLI {
 class App;
@@ -23,6 +23,9 @@ enum ExitStatus : int {
   kLimit = 4,  // time, memory or an interrupt came first; what was found is kept
 };
 
+/// How solutions are chosen among all: as the search finds them, or each with the same probability.
+enum class Sampling : std::uint8_t { kSearch, kUniform };
+
 enum class Distinct : std::uint8_t { kChoices, kResult };
 
 /// What the command line asks for.
@@ -33,6 +36,7 @@ struct Options {
   std::uint64_t count = 1;
   bool all = false;
   Distinct distinct = Distinct::kChoices;
+  Sampling sampling = Sampling::kSearch;
   std::filesystem::path output = "out";
   bool json = false;
   bool timings = false;
@@ -55,6 +59,7 @@ struct Options {
   std::uint64_t more = 0;  // conflicts after the first
   bool choices = false;    // explain every choice
   bool thorough = false;
+  CountOptions counting;
   std::optional<std::filesystem::path> formula;  // where what is left at the end is written to
 
   Exploration exploration() const;
@@ -66,5 +71,7 @@ void add_program_options(CLI::App& command, Options& options);
 void add_solver_options(CLI::App& command, Options& options);
 /// Adds the options of the subcommands that look for solutions.
 void add_search_options(CLI::App& command, Options& options);
+/// Adds those of the subcommand that counts.
+void add_count_options(CLI::App& command, Options& options);
 
 }  // namespace solitaire

@@ -179,7 +179,7 @@ std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::in
   const Outcome outcome = find(most);
   ending_ = ending_of(outcome);
   if (outcome != Outcome::kFound) return std::nullopt;
-  return take_solution();
+  return take_solution(solver_.assignment());
 }
 
 TracingEngine::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
@@ -221,6 +221,14 @@ bool TracingEngine::check_mistakes() {
     return false;
   }
   return options_.limits.stop == nullptr || !options_.limits.stop->stopped();
+}
+
+bool TracingEngine::explore_fully() {
+  solver_.explore();
+  meet_pass();  // a mistake that is known by now ends the search before it goes far
+  const bool complete = solver_.explore_fully(kMostPasses);
+  meet_pass();
+  return complete;
 }
 
 /// A pin that matches no choice is a mistake of the user's, unless that choice stands on a path that was not
@@ -325,8 +333,7 @@ Execution TracingEngine::replay(const Answers& answers) {
   return execute(program_, params_, choices, addresses_, limits_);
 }
 
-TracingEngine::Found TracingEngine::take_solution() {
-  Assignment assignment = solver_.assignment();
+TracingEngine::Found TracingEngine::take_solution(Assignment assignment) {
   const Answers answers = solver_.answers(assignment);
   Found found;
   found.rank = assignment.value(objective_)->i;

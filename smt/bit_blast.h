@@ -26,6 +26,8 @@ class BitBlaster {
   /// is said by its bits: clauses that keep thousands of solutions from coming again need no further
   /// variables.
   void add_alternatives(NodeId condition, std::vector<Literal>& literals);
+  /// Makes the bits of a choice, whether or not a condition meets it; its bounds go to the Cnf.
+  void add_choice(NodeId choice) { blast(choice); }
   /// The bits of a choice variable; none if no condition has met it.
   std::span<const Literal> choice_bits(std::size_t variable) const;
   /// The value of a choice, from the value of its bits read as an unsigned number.
