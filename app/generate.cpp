@@ -17,8 +17,10 @@
 namespace solitaire {
 namespace {
 
-const char* engine_name(Backend backend) {
-  return backend == Backend::kZ3 ? "tracing/z3" : "tracing/cadical";
+std::string engine_name(const Options& options) {
+  const bool uniform = options.sampling == Sampling::kUniform;
+  return fmt::format("{}/{}", uniform ? "uniform" : "tracing",
+                     options.backend == Backend::kZ3 ? "z3" : "cadical");
 }
 
 /// How much of a solution's value the gallery shows.
@@ -66,7 +68,7 @@ class Output {
     nlohmann::ordered_json run{{"program", std::filesystem::path(options_.script).filename().string()},
                                {"params", nlohmann::ordered_json::object()},
                                {"seed", options_.seed},
-                               {"engine", engine_name(options_.backend)}};
+                               {"engine", engine_name(options_)}};
     for (const auto& [param, value] : session_.params())
       run["params"][param] = nlohmann::ordered_json::parse(to_json(value));
     return run;

@@ -119,10 +119,22 @@ void add_search_options(CLI::App& command, Options& options) {
                   "end when one further solution takes longer than so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);
   add_solver_options(command, options);
-  command.add_flag("--relax", options.relax,
-                   "where not all asserts can hold, break as few as possible, and mark what is broken");
-  command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
-      ->excludes(count);
+  auto* relax =
+      command.add_flag("--relax", options.relax,
+                       "where not all asserts can hold, break as few as possible, and mark what is broken");
+  auto* all =
+      command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
+          ->excludes(count);
+  auto* sample =
+      command
+          .add_option(
+              "--sample", options.sampling,
+              "how to choose among all solutions: as the search finds them (search, default), or each "
+              "with the same probability (uniform)")
+          ->transform(
+              CLI::CheckedTransformer(std::map<std::string, Sampling>{{"search", Sampling::kSearch},
+                                                                      {"uniform", Sampling::kUniform}})
+                  .description("search|uniform"));
   command
       .add_option("--distinct", options.distinct,
                   "what makes two solutions different: their choices, or the result (value and scene)")
@@ -136,12 +148,33 @@ void add_search_options(CLI::App& command, Options& options) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, Diversity>{{"low", Diversity::kLow},
                                                                            {"normal", Diversity::kNormal}})
                       .description("low|normal"));
+  auto* formula =
+      command
+          .add_option(
+              "--formula", options.formula,
+              "write what holds in the solutions that are left at the end, which is unsatisfiable if there "
+              "are none: as SMT-LIB (.smt2) or as clauses (.cnf)")
+          ->check(CLI::Validator(check_formula_name, "FILE.smt2|FILE.cnf"));
+  for (CLI::Option* other : {relax, all, formula}) sample->excludes(other);
+}
+
+void add_count_options(CLI::App& command, Options& options) {
+  CountOptions& counting = options.counting;
+  auto* exact = command.add_flag_callback(
+      "--exact", [&] { counting.way = CountOptions::Way::kExact; }, "count exactly, however long it takes");
   command
-      .add_option(
-          "--formula", options.formula,
-          "write what holds in the solutions that are left at the end, which is unsatisfiable if there "
-          "are none: as SMT-LIB (.smt2) or as clauses (.cnf)")
-      ->check(CLI::Validator(check_formula_name, "FILE.smt2|FILE.cnf"));
+      .add_flag_callback(
+          "--approximate", [&] { counting.way = CountOptions::Way::kApproximate; },
+          "estimate the number, unless it is very small")
+      ->excludes(exact);
+  command
+      .add_option("--tolerance", counting.accuracy.tolerance,
+                  "an estimate is within a factor of 1 + so much (default 0.8)")
+      ->check(CLI::Range(0.01, 1000.0));
+  command
+      .add_option("--confidence", counting.accuracy.confidence,
+                  "with at least this probability (default 0.9)")
+      ->check(CLI::Range(0.0, 0.999));
 }
 
 }  // namespace solitaire

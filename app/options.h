@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engines/tracing.h"
+#include "engines/counting.h"
 
 namespace CLI {
 class App;
@@ -26,6 +26,9 @@ enum ExitStatus : int {
 /// How hard to try for solutions that differ much.
 enum class Diversity : std::uint8_t { kLow, kNormal, kHigh };
 
+/// How solutions are chosen among all: as the search finds them, or each with the same probability.
+enum class Sampling : std::uint8_t { kSearch, kUniform };
+
 enum class Distinct : std::uint8_t { kChoices, kResult };
 
 /// What the command line asks for.
@@ -37,6 +40,7 @@ struct Options {
   bool all = false;
   Distinct distinct = Distinct::kChoices;
   std::optional<Diversity> diversity;  // normal, with --all low
+  Sampling sampling = Sampling::kSearch;
   std::filesystem::path output = "out";
   bool json = false;
   bool timings = false;
@@ -59,6 +63,7 @@ struct Options {
   std::uint64_t more = 0;  // conflicts after the first
   bool choices = false;    // explain every choice
   bool thorough = false;
+  CountOptions counting;
   std::optional<std::filesystem::path> formula;  // where what is left at the end is written to
 
   Exploration exploration() const;
@@ -70,5 +75,7 @@ void add_program_options(CLI::App& command, Options& options);
 void add_solver_options(CLI::App& command, Options& options);
 /// Adds the options of the subcommands that look for solutions.
 void add_search_options(CLI::App& command, Options& options);
+/// Adds those of the subcommand that counts.
+void add_count_options(CLI::App& command, Options& options);
 
 }  // namespace solitaire

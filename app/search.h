@@ -6,7 +6,7 @@
 #include "app/progress.h"
 #include "app/session.h"
 #include "app/watchdog.h"
-#include "engines/series.h"
+#include "engines/solution_source.h"
 
 namespace solitaire {
 
@@ -29,7 +29,7 @@ class Search {
   /// NotASolution.
   void resume(const std::vector<KnownChoices>& earlier, const Found& seen);
 
-  const TracingEngine& engine() const { return series_.engine(); }
+  const TracingEngine& engine() const { return series_->engine(); }
 
  private:
   bool wants_more() const { return options_.all || solutions_ < options_.count; }
@@ -46,7 +46,7 @@ class Search {
   const Session& session_;
   const Options& options_;
   Watchdog& watchdog_;
-  Series series_;
+  std::unique_ptr<SolutionSource> series_;
   std::uint64_t resumed_ = 0;            // solutions of earlier runs
   std::uint64_t solutions_ = 0;          // with those of earlier runs; changes only while delivering
   std::optional<Solution> best_so_far_;  // of the search that goes on; changes only while delivering

@@ -1,7 +1,6 @@
 #include "engines/series.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace solitaire {
 namespace {
@@ -38,15 +37,7 @@ void Series::start(std::size_t solutions) {
 }
 
 std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
-  std::vector<Solution> known;
-  for (const KnownChoices& choices : earlier) {
-    try {
-      known.push_back(engine_->run(choices));
-    } catch (const NotASolution& error) {
-      throw NotASolution(
-          fmt::format("solution {} is none of this program: {}", known.size() + 1, error.what()));
-    }
-  }
+  std::vector<Solution> known = run_all(*engine_, earlier);
   std::size_t last_start = 0;
   while (options_.restarts && after_start(last_start) <= earlier.size()) last_start = after_start(last_start);
   for (std::size_t i = 0; i < last_start; ++i) results_.add(known[i].execution);

@@ -3,7 +3,7 @@
 #include <deque>
 
 #include "engines/distinct.h"
-#include "engines/tracing.h"
+#include "engines/solution_source.h"
 
 namespace solitaire {
 
@@ -14,31 +14,24 @@ struct SeriesOptions {
   bool restarts = true;
 };
 
-/// The solutions of a program one after the other, as a user sees them. A series that was interrupted goes on
-/// with exactly the solutions that would have come, given those that came: it repeats the search from the
-/// last start on.
-class Series {
+/// The solutions that a TracingEngine finds. A series that was interrupted repeats the search from the last
+/// start on.
+class Series : public SolutionSource {
  public:
   Series(const Program& program, ParamValues params, const TracingOptions& tracing,
          const SeriesOptions& options);
 
-  /// Takes up a series after these solutions; returns them, run again. To be called before anything else.
-  /// Throws NotASolution, whose message names the one that is none, and Interrupted.
-  std::vector<Solution> resume(const std::vector<KnownChoices>& earlier);
-  /// Finds again what came since the last start before the series was interrupted. next() does it, too, but
-  /// then it counts as a search for one solution. False if a limit came first. Throws Interrupted.
-  bool catch_up();
-  /// Explores, which is part of the search for the first. Throws Interrupted.
-  void explore() { engine_->explore(); }
-  /// As TracingEngine::next.
-  std::optional<Solution> next();
-  void on_improvement(std::function<void(const Solution&)> told);
+  std::vector<Solution> resume(const std::vector<KnownChoices>& earlier) override;
+  /// Finds again what came since the last start before the series was interrupted.
+  bool catch_up() override;
+  void explore() override { engine_->explore(); }
+  std::optional<Solution> next() override;
+  void on_improvement(std::function<void(const Solution&)> told) override;
 
-  Ending ending() const { return engine_->ending(); }
-  TracingEngine& engine() { return *engine_; }
-  const TracingEngine& engine() const { return *engine_; }
-  /// Solutions that were left out because they look like others. May be asked for from another thread.
-  std::uint64_t alike() const { return alike_; }
+  Ending ending() const override { return engine_->ending(); }
+  TracingEngine& engine() override { return *engine_; }
+  const TracingEngine& engine() const override { return *engine_; }
+  std::uint64_t alike() const override { return alike_; }
 
  private:
   void start(std::size_t solutions);

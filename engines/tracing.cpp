@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "engines/met_choices.h"
 #include "engines/objective.h"
 #include "engines/wide_trace.h"
 #include "tracegraph/cone.h"
@@ -180,24 +181,15 @@ std::optional<Solution> TracingEngine::next_enumerated() {
   return solution;
 }
 
-/// A choice that an execution does not meet makes no difference: it has its lowest value there.
 std::unique_ptr<Enumerator> TracingEngine::make_enumerator() {
   const Stopwatch watch(solver_.times().encode);
-  std::map<std::size_t, NodeId> met;
-  for (const TraceChoice& choice : solver_.trace().choices) {
-    if (graph_.node(choice.variable).is_constant()) continue;
-    NodeId& guard = met.try_emplace(graph_.node(choice.variable).payload, kFalse).first->second;
-    guard = graph_.disjunction(guard, choice.guard);
-  }
+  const MetChoices met = met_choices(graph_, solver_.trace());
   std::vector<NodeId> conditions = formula();
-  std::vector<std::size_t> choices;
-  for (const auto& [variable, guard] : met) {
-    const NodeId lowest = graph_.constant(graph_.variables()[variable].domain.lo);
-    conditions.push_back(
-        graph_.disjunction(guard, graph_.apply(Op::kEqInt, {graph_.variable_node(variable), lowest})));
-    choices.push_back(variable);
-  }
+  const std::vector<NodeId> fixed = fixed_unmet_choices(graph_, met);
+  conditions.insert(conditions.end(), fixed.begin(), fixed.end());
   std::erase(conditions, kTrue);
+  std::vector<std::size_t> choices;
+  for (const auto& [variable, guard] : met) choices.push_back(variable);
   return std::make_unique<Enumerator>(graph_, conditions, choices);
 }
 
@@ -285,6 +277,14 @@ bool TracingEngine::check_mistakes() {
     return false;
   }
   return options_.limits.stop == nullptr || !options_.limits.stop->stopped();
+}
+
+bool TracingEngine::explore_fully() {
+  solver_.explore();
+  meet_pass();  // a mistake that is known by now ends the search before it goes far
+  const bool complete = solver_.explore_fully(kMostPasses);
+  meet_pass();
+  return complete;
 }
 
 /// A pin that matches no choice is a mistake of the user's, unless that choice stands on a path that was not

@@ -36,15 +36,23 @@ class TracingEngine : public Engine {
   void exclude(const KnownChoices& choices);
   /// Runs a known solution. Throws NotASolution and Interrupted.
   Solution run(const KnownChoices& choices);
+  /// Runs the solution with these values of the choices, which fulfil formula(). Throws Interrupted.
+  Solution run(Assignment assignment) { return take_solution(std::move(assignment)).solution; }
   /// Told of each solution that is better than the one before, while the next one is looked for.
   void on_improvement(std::function<void(const Solution&)> told) { told_ = std::move(told); }
 
   const Graph& graph() const { return graph_; }
+  Graph& graph() { return graph_; }
   const SymbolicPass& pass() const { return solver_.pass(); }
   std::size_t passes() const { return solver_.passes(); }
   const TracingTimes& times() const { return solver_.times(); }
   /// Explores without solving, as far as the policy goes by itself. Throws Interrupted.
   void explore() { solver_.explore(); }
+  /// Explores every path that an execution can take; false if the policy does not allow that, or if it takes
+  /// more passes than kMostPasses, as where there are endlessly many. Throws ProgramError for a mistake that
+  /// an execution can come to, UnmatchedPin, and Interrupted.
+  bool explore_fully();
+  static constexpr std::size_t kMostPasses = 200;
   /// Looks for mistakes in what has been explored so far; false if a limit came first. Throws ProgramError.
   bool check_mistakes();
   /// Looks into every side that an execution can come to, for all mistakes: each with the choices that lead

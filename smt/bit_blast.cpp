@@ -346,12 +346,19 @@ bool BitBlaster::input_at(std::size_t variable, std::size_t input, std::int64_t 
 }
 
 std::int64_t BitBlaster::decode(std::size_t variable, const std::function<bool(Literal)>& holds) const {
-  const ChoiceDomain& domain = graph_.variables()[variable].domain;
   const Choice& made = choices_[variable];
-  if (made.order)
-    return domain.lo + std::count_if(made.inputs.begin(), made.inputs.end(), holds) * domain.step;
+  if (made.order) {
+    const auto reached =
+        static_cast<std::size_t>(std::count_if(made.inputs.begin(), made.inputs.end(), holds));
+    return made.order->values[reached];
+  }
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < made.bits.size(); ++i) bits |= std::uint64_t{holds(made.bits[i])} << i;
+  return decode(variable, bits);
+}
+
+std::int64_t BitBlaster::decode(std::size_t variable, std::uint64_t bits) const {
+  const ChoiceDomain& domain = graph_.variables()[variable].domain;
   if (domain.step != 1) return domain.lo + static_cast<std::int64_t>(bits) * domain.step;
   if (domain.lo >= 0) return static_cast<std::int64_t>(bits);
   const int unused = 64 - bit_width({domain.lo, domain.hi});

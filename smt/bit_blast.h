@@ -39,6 +39,8 @@ class BitBlaster {
   bool input_at(std::size_t variable, std::size_t input, std::int64_t value) const;
   /// The value of a choice from those of its inputs.
   std::int64_t decode(std::size_t variable, const std::function<bool(Literal)>& holds) const;
+  /// The value of a choice from its bits read as an unsigned number.
+  std::int64_t decode(std::size_t variable, std::uint64_t bits) const;
   /// The bits of a choice variable: those of its value or, where its step is not 1, of the number of steps
   /// from its lowest. None if no condition has met it.
   Bits choice_bits(std::size_t variable);

@@ -30,6 +30,11 @@ int Cnf::assumable(Literal literal) {
   return number;
 }
 
+int Cnf::equivalent(Literal literal) {
+  assumable(!literal);
+  return assumable(literal);
+}
+
 int Cnf::known_variable(Literal input) const { return has_number(input) ? numbers_[input.gate()] : 0; }
 
 /// Clauses make definitions necessary and these make clauses; on own stacks, as the circuit can be deeper

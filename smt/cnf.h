@@ -27,6 +27,8 @@ class Cnf {
   void add_clause(std::span<const Literal> literals);
   /// The number of a literal that can be assumed: where it holds, the circuit's literal holds.
   int assumable(Literal literal);
+  /// The number of a literal that holds where the circuit's literal does, and nowhere else.
+  int equivalent(Literal literal);
   /// The variable that stands for an input of the circuit.
   int variable(Literal input) { return number(input); }
   /// How many variables there are.

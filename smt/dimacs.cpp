@@ -38,8 +38,7 @@ class Text : public ClauseSink {
 
 std::string bit_text(Literal bit, Cnf& cnf) {
   if (is_constant(bit)) return bit == kTrueLiteral ? " T" : " F";
-  cnf.assumable(!bit);  // then the clauses say both when it holds and when it does not
-  return fmt::format(" {}", cnf.assumable(bit));
+  return fmt::format(" {}", cnf.equivalent(bit));
 }
 
 }  // namespace
