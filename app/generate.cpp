@@ -18,7 +18,15 @@ namespace solitaire {
 namespace {
 
 const char* engine_name(Backend backend) {
-  return backend == Backend::kZ3 ? "tracing/z3" : "tracing/cadical";
+  switch (backend) {
+    case Backend::kCadical:
+      break;
+    case Backend::kZ3:
+      return "tracing/z3";
+    case Backend::kThesis:
+      return "tracing/thesis";
+  }
+  return "tracing/cadical";
 }
 
 /// How much of a solution's value the gallery shows.

@@ -26,7 +26,7 @@ Search::Search(const Session& session, const Options& options, Watchdog& watchdo
       options_(options),
       watchdog_(watchdog),
       series_(session.program(), session.params(), session.tracing_options(),
-              {options.distinct == Distinct::kResult, !options.all}) {}
+              {options.distinct == Distinct::kResult, !options.all && options.backend != Backend::kThesis}) {}
 
 void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen) {
   for (const Solution& solution : series_.resume(earlier)) seen(++solutions_, solution);
@@ -135,6 +135,7 @@ ExitStatus Search::status(Ending ending) const {
     case Ending::kExhausted:
       return options_.all && solutions_ > 0 ? kDelivered : kNoSolution;
     case Ending::kUnexplored:
+    case Ending::kWrapped:
     case Ending::kStopped:
       return kLimit;
   }
@@ -148,6 +149,7 @@ void Search::explain() const {
   stop.set_deadline(StopSignal::Clock::now() + std::chrono::milliseconds(static_cast<long>(1000 * seconds)));
   TracingOptions tracing = session_.tracing_options();
   tracing.limits.stop = &stop;
+  tracing.backend = exact_backend(tracing.backend);
   Explainer explainer(session_.program(), session_.params(), tracing);
   const std::optional<Conflict> conflict = explainer.next_conflict();
   const auto lock = watchdog_.delivering();
@@ -173,6 +175,9 @@ void Search::summarize(Ending ending) const {
       text +=
           "; the paths that were explored have no other. Explore more of them: --explore random:N with a "
           "larger N, or demand";
+      break;
+    case Ending::kWrapped:
+      text += "; there is no other in 16 bits, which is no proof, since ints can leave them";
       break;
     case Ending::kStopped:
       text += "; " + limit_text(options_);

@@ -73,8 +73,10 @@ class TracingEngine : public Engine {
   void exclude_known(Known& known);
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
+  void exclude_model(const Answers& answers);
+  std::vector<NodeId> differing(const Answers& answers);
   void improve(Found& best, StopSignal::Clock::time_point start);
-  Found take_solution();
+  Found take_solution(Assignment& assignment, const Answers& answers);
   Execution replay(const Answers& answers);
   void complete(Solution& solution) const;
   void add_provenance(Solution& solution);
