@@ -88,9 +88,12 @@ void add_pin_options(CLI::App& command, Options& options) {
 
 }  // namespace
 
+std::string Options::exploration_name() const {
+  return explore.value_or(backend == Backend::kThesis ? "random:100" : "demand");
+}
+
 Exploration Options::exploration() const {
-  const std::string unsaid = backend == Backend::kThesis ? "random:100" : "demand";
-  const auto executions = random_executions(explore.value_or(unsaid));
+  const auto executions = random_executions(exploration_name());
   if (!executions) return {};
   return {Exploration::Policy::kRandom, *executions};
 }

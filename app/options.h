@@ -42,7 +42,7 @@ struct Options {
   std::optional<double> timeout;       // seconds, for the whole run
   std::optional<double> per_solution;  // seconds, for one further solution
   std::optional<double> memory;        // megabytes, of the process
-  std::optional<std::string> explore;  // what the engine explores by if nothing was said: exploration()
+  std::optional<std::string> explore;  // as it was said; see exploration_name()
   Backend backend = Backend::kCadical;
   std::uint64_t max_steps = Limits{}.max_steps;
   std::uint32_t max_depth = Limits{}.max_depth;
@@ -57,7 +57,9 @@ struct Options {
   bool thorough = false;
   std::optional<std::filesystem::path> formula;  // where what is left at the end is written to
 
-  /// By demand; the dissertation's engine by 100 random executions.
+  /// How paths are explored: as --explore says, else by demand, and in the dissertation's engine by 100
+  /// random executions.
+  std::string exploration_name() const;
   Exploration exploration() const;
 };
 

@@ -29,7 +29,10 @@ Search::Search(const Session& session, const Options& options, Watchdog& watchdo
               {options.distinct == Distinct::kResult, !options.all && options.backend != Backend::kThesis}) {}
 
 void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen) {
-  for (const Solution& solution : series_.resume(earlier)) seen(++solutions_, solution);
+  for (const Solution& solution : series_.resume(earlier)) {
+    seen(++solutions_, solution);
+    diversity_.add(solution);
+  }
   resumed_ = solutions_;
 }
 
@@ -55,13 +58,13 @@ ExitStatus Search::run(const Found& found, const Close& close) {
     const auto lock = watchdog_.delivering();
     progress.end();
     report(error, session_.program().sources);
-    close();
+    close(std::nullopt);
     return watchdog_.conclude(kError);
   } catch (...) {
     const auto lock = watchdog_.delivering();
     progress.end();
     try {
-      close();
+      close(std::nullopt);
     } catch (const std::exception&) {  // the first error is the one to report
     }
     throw;
@@ -105,6 +108,7 @@ void Search::deliver(const Solution& solution, const Found& found, Progress& pro
   for (const std::string& line : solution.execution.printed) progress.say(line);
   found(solutions_ + 1, solution);
   ++solutions_;
+  diversity_.add(solution);
 }
 
 std::optional<Solution> Search::next(Progress& progress) {
@@ -124,7 +128,7 @@ std::optional<Solution> Search::next(Progress& progress) {
 
 ExitStatus Search::finish(Ending ending, const Close& close) const {
   if (!options_.quiet) summarize(ending);
-  close();
+  close(ending);
   return status(ending);
 }
 
@@ -184,6 +188,10 @@ void Search::summarize(Ending ending) const {
       break;
   }
   tell(text + "\n");
+  if (solutions_ > 1) {
+    tell(fmt::format("mean distance of choices {:.2f}, of results {:.2f}\n", diversity_.of_choices(),
+                     diversity_.of_results()));
+  }
 }
 
 }  // namespace solitaire
