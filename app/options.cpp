@@ -47,10 +47,53 @@ CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vec
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+std::map<std::string, Backend> exact_engines() {
+  return {{"auto", Backend::kCadical}, {"cadical", Backend::kCadical}, {"z3", Backend::kZ3}};
+}
+
+/// With the one whose answers are no proofs.
+void add_engine_option(CLI::App& command, Options& options) {
+  std::map<std::string, Backend> engines = exact_engines();
+  engines.emplace("thesis", Backend::kThesis);
+  command
+      .add_option(
+          "--engine", options.backend,
+          "which solver to use: cadical (auto takes it: the fastest), z3 (the reference), or thesis (16-bit "
+          "ints and random exploration, as published, to measure against)")
+      ->transform(CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis"));
+  command.parse_complete_callback([&options] {
+    if (options.backend == Backend::kThesis && options.exploration().policy != Exploration::Policy::kRandom)
+      throw CLI::ValidationError("--explore", "--engine thesis explores at random only: random:N");
+  });
+}
+
+void add_pin_options(CLI::App& command, Options& options) {
+  add_repeatable(
+      command, "--pin", options.pins,
+      "fix the choices whose addresses match a pattern: ADDRESS=VALUE, as 'wing[*]/room[0]/x=3'; can be "
+      "given several times")
+      ->type_name("ADDRESS=VALUE");
+  add_repeatable(command, "--forbid", options.forbidden, "keep the choices that match from having a value")
+      ->type_name("ADDRESS=VALUE");
+  auto* file = command
+                   .add_option("--pin-file", options.pin_file,
+                               "fix choices to what they are in the .json file of a solution")
+                   ->type_name("FILE");
+  add_repeatable(
+      command, "--keep", options.keep,
+      "of --pin-file, fix only the choices whose addresses match the pattern; can be given several times")
+      ->type_name("PATTERN")
+      ->needs(file);
+}
+
 }  // namespace
 
+std::string Options::exploration_name() const {
+  return explore.value_or(backend == Backend::kThesis ? "random:100" : "demand");
+}
+
 Exploration Options::exploration() const {
-  const auto executions = random_executions(explore);
+  const auto executions = random_executions(exploration_name());
   if (!executions) return {};
   return {Exploration::Policy::kRandom, *executions};
 }
@@ -88,26 +131,8 @@ void add_solver_options(CLI::App& command, Options& options) {
   command
       .add_option("--engine", options.backend,
                   "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Backend>{{"auto", Backend::kCadical},
-                                                                         {"cadical", Backend::kCadical},
-                                                                         {"z3", Backend::kZ3}})
-                      .description("auto|cadical|z3"));
-  add_repeatable(
-      command, "--pin", options.pins,
-      "fix the choices whose addresses match a pattern: ADDRESS=VALUE, as 'wing[*]/room[0]/x=3'; can be "
-      "given several times")
-      ->type_name("ADDRESS=VALUE");
-  add_repeatable(command, "--forbid", options.forbidden, "keep the choices that match from having a value")
-      ->type_name("ADDRESS=VALUE");
-  auto* file = command
-                   .add_option("--pin-file", options.pin_file,
-                               "fix choices to what they are in the .json file of a solution")
-                   ->type_name("FILE");
-  add_repeatable(
-      command, "--keep", options.keep,
-      "of --pin-file, fix only the choices whose addresses match the pattern; can be given several times")
-      ->type_name("PATTERN")
-      ->needs(file);
+      ->transform(CLI::CheckedTransformer(exact_engines()).description("auto|cadical|z3"));
+  add_pin_options(command, options);
 }
 
 void add_search_options(CLI::App& command, Options& options) {
@@ -118,7 +143,8 @@ void add_search_options(CLI::App& command, Options& options) {
       .add_option("--per-solution", options.per_solution,
                   "end when one further solution takes longer than so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);
-  add_solver_options(command, options);
+  add_engine_option(command, options);
+  add_pin_options(command, options);
   auto* relax =
       command.add_flag("--relax", options.relax,
                        "where not all asserts can hold, break as few as possible, and mark what is broken");
@@ -145,9 +171,10 @@ void add_search_options(CLI::App& command, Options& options) {
       .add_option("--diversity", options.diversity,
                   "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
                   "'normal' (default) starts each search at random values")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Diversity>{{"low", Diversity::kLow},
-                                                                           {"normal", Diversity::kNormal}})
-                      .description("low|normal"));
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, DiversityLevel>{{"low", DiversityLevel::kLow},
+                                                                        {"normal", DiversityLevel::kNormal}})
+              .description("low|normal"));
   auto* formula =
       command
           .add_option(

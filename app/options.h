@@ -24,7 +24,7 @@ enum ExitStatus : int {
 };
 
 /// How hard to try for solutions that differ much.
-enum class Diversity : std::uint8_t { kLow, kNormal, kHigh };
+enum class DiversityLevel : std::uint8_t { kLow, kNormal };
 
 /// How solutions are chosen among all: as the search finds them, or each with the same probability.
 enum class Sampling : std::uint8_t { kSearch, kUniform };
@@ -39,7 +39,7 @@ struct Options {
   std::uint64_t count = 1;
   bool all = false;
   Distinct distinct = Distinct::kChoices;
-  std::optional<Diversity> diversity;  // normal, with --all low
+  std::optional<DiversityLevel> diversity;  // normal, with --all low
   Sampling sampling = Sampling::kSearch;
   std::filesystem::path output = "out";
   bool json = false;
@@ -50,7 +50,7 @@ struct Options {
   std::optional<double> timeout;       // seconds, for the whole run
   std::optional<double> per_solution;  // seconds, for one further solution
   std::optional<double> memory;        // megabytes, of the process
-  std::string explore = "demand";
+  std::optional<std::string> explore;  // as it was said; see exploration_name()
   Backend backend = Backend::kCadical;
   std::uint64_t max_steps = Limits{}.max_steps;
   std::uint32_t max_depth = Limits{}.max_depth;
@@ -66,6 +66,9 @@ struct Options {
   CountOptions counting;
   std::optional<std::filesystem::path> formula;  // where what is left at the end is written to
 
+  /// How paths are explored: as --explore says, else by demand, and in the dissertation's engine by 100
+  /// random executions.
+  std::string exploration_name() const;
   Exploration exploration() const;
 };
 

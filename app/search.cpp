@@ -37,7 +37,10 @@ Search::Search(const Session& session, const Options& options, Watchdog& watchdo
     : session_(session), options_(options), watchdog_(watchdog), series_(source_of(session, options)) {}
 
 void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen) {
-  for (const Solution& solution : series_->resume(earlier)) seen(++solutions_, solution);
+  for (const Solution& solution : series_->resume(earlier)) {
+    seen(++solutions_, solution);
+    diversity_.add(solution);
+  }
   resumed_ = solutions_;
 }
 
@@ -63,13 +66,13 @@ ExitStatus Search::run(const Found& found, const Close& close) {
     const auto lock = watchdog_.delivering();
     progress.end();
     report(error, session_.program().sources);
-    close();
+    close(std::nullopt);
     return watchdog_.conclude(kError);
   } catch (...) {
     const auto lock = watchdog_.delivering();
     progress.end();
     try {
-      close();
+      close(std::nullopt);
     } catch (const std::exception&) {  // the first error is the one to report
     }
     throw;
@@ -113,6 +116,7 @@ void Search::deliver(const Solution& solution, const Found& found, Progress& pro
   for (const std::string& line : solution.execution.printed) progress.say(line);
   found(solutions_ + 1, solution);
   ++solutions_;
+  diversity_.add(solution);
 }
 
 std::optional<Solution> Search::next(Progress& progress) {
@@ -132,7 +136,7 @@ std::optional<Solution> Search::next(Progress& progress) {
 
 ExitStatus Search::finish(Ending ending, const Close& close) const {
   if (!options_.quiet) summarize(ending);
-  close();
+  close(ending);
   return status(ending);
 }
 
@@ -143,6 +147,7 @@ ExitStatus Search::status(Ending ending) const {
     case Ending::kExhausted:
       return options_.all && solutions_ > 0 ? kDelivered : kNoSolution;
     case Ending::kUnexplored:
+    case Ending::kWrapped:
     case Ending::kStopped:
       return kLimit;
   }
@@ -156,6 +161,7 @@ void Search::explain() const {
   stop.set_deadline(StopSignal::Clock::now() + std::chrono::milliseconds(static_cast<long>(1000 * seconds)));
   TracingOptions tracing = session_.tracing_options();
   tracing.limits.stop = &stop;
+  tracing.backend = exact_backend(tracing.backend);
   Explainer explainer(session_.program(), session_.params(), tracing);
   const std::optional<Conflict> conflict = explainer.next_conflict();
   const auto lock = watchdog_.delivering();
@@ -183,11 +189,18 @@ void Search::summarize(Ending ending) const {
                   : "; the paths that were explored have no other. Explore more of them: --explore random:N "
                     "with a larger N, or demand";
       break;
+    case Ending::kWrapped:
+      text += "; there is no other in 16 bits, which is no proof, since ints can leave them";
+      break;
     case Ending::kStopped:
       text += "; " + limit_text(options_);
       break;
   }
   tell(text + "\n");
+  if (solutions_ > 1) {
+    tell(fmt::format("mean distance of choices {:.2f}, of results {:.2f}\n", diversity_.of_choices(),
+                     diversity_.of_results()));
+  }
 }
 
 }  // namespace solitaire

@@ -40,8 +40,9 @@ TracingOptions Session::tracing_options() const {
   tracing.exploration = options_.exploration();
   tracing.seed = options_.seed;
   tracing.backend = options_.backend;
+  const DiversityLevel usual = options_.all ? DiversityLevel::kLow : DiversityLevel::kNormal;
   tracing.diverse =
-      options_.diversity.value_or(options_.all ? Diversity::kLow : Diversity::kNormal) != Diversity::kLow;
+      options_.diversity.value_or(usual) != DiversityLevel::kLow && options_.backend != Backend::kThesis;
   tracing.relax = options_.relax;
   tracing.improvement_time = options_.per_solution;
   tracing.pins = pins_;

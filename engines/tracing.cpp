@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "engines/all_different.h"
 #include "engines/met_choices.h"
 #include "engines/objective.h"
 #include "engines/wide_trace.h"
@@ -109,6 +110,8 @@ Ending TracingEngine::ending_of(Outcome outcome) {
       return Ending::kExhausted;
     case Outcome::kUnexplored:
       return Ending::kUnexplored;
+    case Outcome::kWrapped:
+      return Ending::kWrapped;
     case Outcome::kStopped:
       break;
   }
@@ -176,7 +179,7 @@ std::optional<Solution> TracingEngine::next_enumerated() {
       return std::nullopt;
   }
   Assignment assignment(graph_, [this](std::size_t variable) { return enumerator_->value(variable); });
-  Solution solution = take_solution(std::move(assignment)).solution;
+  Solution solution = run(std::move(assignment));
   remember(solution);
   return solution;
 }
@@ -232,11 +235,26 @@ void TracingEngine::improve(Found& best, StopSignal::Clock::time_point start) {
 
 /// A solution of at most that rank; if there is none, ending_ says why.
 std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::int64_t> most) {
-  const Outcome outcome = find(most);
-  ending_ = ending_of(outcome);
-  if (outcome != Outcome::kFound) return std::nullopt;
-  return take_solution(solver_.assignment());
+  while (true) {
+    const Outcome outcome = find(most);
+    ending_ = ending_of(outcome);
+    if (outcome != Outcome::kFound) return std::nullopt;
+    Assignment assignment = solver_.assignment();
+    const Answers answers = solver_.answers(assignment);
+    try {
+      Found found = take_solution(assignment, answers);
+      if (!most || found.rank <= *most || solver_.exact()) return found;
+      ending_ = Ending::kWrapped;
+      return std::nullopt;
+    } catch (const InternalError&) {
+      if (solver_.exact()) throw;
+      exclude_model(answers);
+    }
+  }
 }
+
+/// Keeps the solver from a model that is no execution, since ints wrapped in it.
+void TracingEngine::exclude_model(const Answers& answers) { solver_.add_clause(differing(answers)); }
 
 TracingEngine::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
   try {
@@ -263,6 +281,10 @@ void TracingEngine::meet_pass() {
   met_pass_ = solver_.passes();
   for (const PinnedChoice& pinned : pinned_choices(graph_, solver_.trace(), pins_)) {
     if (pinned.holds != kTrue) solver_.add_clause({&pinned.holds, 1});
+  }
+  if (options_.backend == Backend::kThesis) {
+    for (const NodeId condition : reserved_values(graph_, solver_.trace()))
+      solver_.add_clause({&condition, 1});
   }
   if (!options_.relax) report_reachable_mistakes();
   objective_ = checked_objective(graph_, solver_.trace(), options_.relax);
@@ -316,7 +338,7 @@ void TracingEngine::report_reachable_mistakes() {
   NodeId any = kFalse;
   for (const TraceMistake& mistake : trace.mistakes) any = graph_.disjunction(any, mistake.guard);
   const Outcome outcome = solver_.find_explored([&] { return std::vector{any}; });
-  if (outcome != Outcome::kFound) return;
+  if (outcome != Outcome::kFound || !solver_.exact()) return;  // wrapped ints come to it, perhaps
   Assignment assignment = solver_.assignment();
   const auto met = std::find_if(trace.mistakes.begin(), trace.mistakes.end(),
                                 [&](const TraceMistake& mistake) { return assignment.holds(mistake.guard); });
@@ -389,10 +411,9 @@ Execution TracingEngine::replay(const Answers& answers) {
   return execute(program_, params_, choices, addresses_, limits_);
 }
 
-TracingEngine::Found TracingEngine::take_solution(Assignment assignment) {
-  const Answers answers = solver_.answers(assignment);
+/// Throws InternalError if the model is not an execution.
+TracingEngine::Found TracingEngine::take_solution(Assignment& assignment, const Answers& answers) {
   Found found;
-  found.rank = assignment.value(objective_)->i;
   Solution& solution = found.solution;
   solution.execution = replay(answers);
   if (const auto& rejection = solution.execution.rejection) {
@@ -404,6 +425,7 @@ TracingEngine::Found TracingEngine::take_solution(Assignment assignment) {
     throw InternalError(
         fmt::format("a model has {} choices, its replay {}", answers.size(), solution.choices.size()));
   }
+  found.rank = assignment.value(objective_)->i;
   complete(solution);
   add_provenance(solution);
   return found;
@@ -439,6 +461,11 @@ Solution TracingEngine::run(const KnownChoices& choices) {
   return solution;
 }
 
+Solution TracingEngine::run(Assignment assignment) {
+  const Answers answers = solver_.answers(assignment);
+  return take_solution(assignment, answers).solution;
+}
+
 std::vector<NodeId> TracingEngine::formula() {
   if (enumerator_) {
     for (Known& known : known_) exclude_known(known);  // which it needs no clauses for
@@ -464,6 +491,15 @@ std::vector<NodeId> TracingEngine::formula() {
   return conditions;
 }
 
+std::vector<NodeId> TracingEngine::differing(const Answers& answers) {
+  std::vector<NodeId> differs;
+  for (const auto& [address, answer] : answers) {
+    const NodeId equal = graph_.apply(Op::kEqInt, {answer.first, graph_.constant(answer.second)});
+    if (equal != kTrue) differs.push_back(graph_.negation(equal));
+  }
+  return differs;
+}
+
 /// Section 4.2.3's all-different constraint: some choice of the solution has another value. That is
 /// path-sensitive as it stands. An execution is determined by the choices that it meets, so one that differs
 /// from the solution meets the same choices up to one that both have and answer differently, which satisfies
@@ -482,11 +518,9 @@ void TracingEngine::exclude_known(Known& known) {
   bool explored = false;
   const Answers answers = solver_.answers(assignment, &explored);
   if (!explored) return;  // it cannot be found yet
-  std::vector<NodeId> differs;
-  for (const auto& [address, answer] : answers) {
-    const NodeId equal = graph_.apply(Op::kEqInt, {answer.first, graph_.constant(answer.second)});
-    if (equal != kTrue) differs.push_back(graph_.negation(equal));
-  }
+  const bool as_stated = options_.backend == Backend::kThesis;
+  std::vector<NodeId> differs =
+      as_stated ? differences(graph_, solver_.trace(), known.values) : differing(answers);
   if (known.differs == differs) return;
   solver_.add_clause(differs);
   known.differs = std::move(differs);

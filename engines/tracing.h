@@ -37,7 +37,7 @@ class TracingEngine : public Engine {
   /// Runs a known solution. Throws NotASolution and Interrupted.
   Solution run(const KnownChoices& choices);
   /// Runs the solution with these values of the choices, which fulfil formula(). Throws Interrupted.
-  Solution run(Assignment assignment) { return take_solution(std::move(assignment)).solution; }
+  Solution run(Assignment assignment);
   /// Told of each solution that is better than the one before, while the next one is looked for.
   void on_improvement(std::function<void(const Solution&)> told) { told_ = std::move(told); }
 
@@ -82,12 +82,14 @@ class TracingEngine : public Engine {
   void exclude_known(Known& known);
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
+  void exclude_model(const Answers& answers);
+  std::vector<NodeId> differing(const Answers& answers);
   void improve(Found& best, StopSignal::Clock::time_point start);
   Known& remember(const Solution& solution);
   bool can_enumerate() const;
   std::unique_ptr<Enumerator> make_enumerator();
   std::optional<Solution> next_enumerated();
-  Found take_solution(Assignment assignment);
+  Found take_solution(Assignment& assignment, const Answers& answers);
   Execution replay(const Answers& answers);
   void complete(Solution& solution) const;
   void add_provenance(Solution& solution);
