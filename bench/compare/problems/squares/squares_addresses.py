@@ -1,0 +1,5 @@
+from addresses import Variable
+
+
+def names(params):
+    return {f"{axis}[{i}]": Variable(axis, i + 1) for axis in "xy" for i in range(params["squares"])}
