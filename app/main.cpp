@@ -3,9 +3,9 @@
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/large_stack.h"
 #include "app/report.h"
 #include "app/signals.h"
+#include "solitaire/large_stack.h"
 
 namespace solitaire {
 namespace {

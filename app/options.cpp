@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <fmt/format.h>
+#include <thread>
 
 #include "app/formula.h"
 
@@ -167,6 +168,14 @@ void add_search_options(CLI::App& command, Options& options) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, Distinct>{{"choices", Distinct::kChoices},
                                                                           {"result", Distinct::kResult}})
                       .description("choices|result"));
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  command
+      .add_option("--jobs", options.jobs,
+                  fmt::format("how many searches work side by side; the solutions are the same for any "
+                              "number (default {}, one for each processor)",
+                              options.jobs))
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
   command
       .add_option("--diversity", options.diversity,
                   "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "

@@ -37,6 +37,7 @@ struct Options {
   std::vector<std::string> settings;  // NAME=VALUE
   std::uint64_t seed = 0;
   std::uint64_t count = 1;
+  std::uint64_t jobs = 1;  // searches at work at a time
   bool all = false;
   Distinct distinct = Distinct::kChoices;
   std::optional<DiversityLevel> diversity;  // normal, with --all low

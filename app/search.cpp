@@ -27,8 +27,12 @@ std::unique_ptr<SolutionSource> source_of(const Session& session, const Options&
     return std::make_unique<UniformSeries>(session.program(), session.params(), session.tracing_options(),
                                            distinct_results);
   }
+  SeriesOptions series;
+  series.distinct_results = distinct_results;
+  if (!options.all) series.most = options.count;
+  if (options.jobs > 1 && series.most != 1) series.workers = session.own_programs(options.jobs);
   return std::make_unique<Series>(session.program(), session.params(), session.tracing_options(),
-                                  SeriesOptions{distinct_results, session.tracing_options().diverse});
+                                  std::move(series));
 }
 
 }  // namespace
@@ -53,7 +57,8 @@ ExitStatus Search::run(const Found& found, const Close& close) {
   });
   try {
     const Ending ending = deliver_all(found, progress);
-    if (options_.formula && ending != Ending::kStopped) write_formula(series_->engine(), *options_.formula);
+    if (options_.formula && ending != Ending::kStopped)
+      write_formula(series_->engine_of_rest(), *options_.formula);
     ExitStatus status = kDelivered;
     {
       const auto lock = watchdog_.delivering();

@@ -18,21 +18,31 @@ std::vector<std::pair<std::string, std::string>> split_settings(const std::vecto
 
 }  // namespace
 
-Session::Session(const Options& options) : options_(options) {
+Session::Session(const Options& options)
+    : options_(options), own_(load(options)), pins_(read_pins(options)) {}
+
+OwnProgram Session::load(const Options& options) {
+  OwnProgram own;
   SourceSet sources;
   try {
-    program_ = load_program(options.script, {{data_folder() / "solitaire", data_folder()}}, sources);
+    own.program = load_program(options.script, {{data_folder() / "solitaire", data_folder()}}, sources);
   } catch (const ProgramError& error) {
     report(error, sources);
     throw Reported{kError};
   }
   try {
-    params_ = read_params(program_, split_settings(options.settings), program_.sources);
+    own.params = read_params(own.program, split_settings(options.settings), own.program.sources);
   } catch (const ProgramError& error) {
-    report(error, program_.sources);
+    report(error, own.program.sources);
     throw Reported{kUsage};
   }
-  pins_ = read_pins(options);
+  return own;
+}
+
+std::vector<std::shared_ptr<const OwnProgram>> Session::own_programs(std::size_t number) const {
+  std::vector<std::shared_ptr<const OwnProgram>> programs;
+  for (std::size_t i = 0; i < number; ++i) programs.push_back(std::make_shared<OwnProgram>(load(options_)));
+  return programs;
 }
 
 TracingOptions Session::tracing_options() const {

@@ -26,6 +26,8 @@ class SolutionSource {
   virtual Ending ending() const = 0;
   virtual TracingEngine& engine() = 0;
   virtual const TracingEngine& engine() const = 0;
+  /// One that knows all solutions that came, and at the end that there are no others.
+  virtual TracingEngine& engine_of_rest() { return engine(); }
   /// Solutions that were left out because they look like others. May be asked for from another thread.
   virtual std::uint64_t alike() const = 0;
 };

@@ -85,7 +85,7 @@ std::size_t count_broken(const Execution& execution) {
 }  // namespace
 
 TracingEngine::TracingEngine(const Program& program, ParamValues params, const TracingOptions& options,
-                             std::uint64_t known_solutions)
+                             std::uint64_t first)
     : program_(program),
       params_(std::move(params)),
       options_(options),
@@ -94,9 +94,9 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
       pins_(options.pins, addresses_),
       choices_(pins_),
       solver_(program, params_, for_solver(options, solution_stop_), choices_, graph_, addresses_,
-              firmness(options.relax), known_solutions),
+              firmness(options.relax), first),
       may_enumerate_(!options.diverse && !options.relax && options.backend == Backend::kCadical),
-      first_(known_solutions) {
+      number_(first) {
   limits_.keep_going = options.relax;
 }
 
@@ -132,7 +132,7 @@ std::optional<Solution> TracingEngine::next() {
     ending_ = Ending::kStopped;
     return std::nullopt;
   }
-  if (options_.diverse) solver_.suggest_random_values(first_ + known_.size());
+  if (options_.diverse) solver_.suggest_random_values(number_++);
   std::optional<Found> best;
   if (last_was_best_) best = attempt(proved_);  // perhaps there is another one as good
   if (!best && ending_ != Ending::kStopped) {
@@ -443,7 +443,6 @@ void TracingEngine::exclude(const KnownChoices& choices) {
   for (const AnsweredChoice& choice : choices)
     known.values.emplace(addresses_.address(choice.address), choice.value);
   known_.push_back(std::move(known));
-  --first_;
   if (met_pass_ > 0) exclude_known(known_.back());
 }
 

@@ -21,9 +21,9 @@ class UnmatchedPin : public std::runtime_error {
 /// by bisection between the best so far and what has been proved impossible.
 class TracingEngine : public Engine {
  public:
-  /// An engine that starts with other known solutions, which come first of a longer run, finds others.
+  /// `first` is the number of the first solution that it is to find; engines with others find others.
   TracingEngine(const Program& program, ParamValues params, const TracingOptions& options,
-                std::uint64_t known_solutions = 0);
+                std::uint64_t first = 0);
   ~TracingEngine() override;
 
   /// As Engine::next. Where a limit comes while a solution is made better, it is returned as it is.
@@ -119,7 +119,7 @@ class TracingEngine : public Engine {
   std::unique_ptr<Enumerator> enumerator_;  // while it is what finds solutions
   bool may_enumerate_;
   std::vector<Known> known_;
-  std::uint64_t first_;  // number of the first solution
+  std::uint64_t number_;  // of the next solution, which its random values depend on
 };
 
 }  // namespace solitaire
