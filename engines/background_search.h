@@ -26,6 +26,7 @@ class BackgroundSearch {
   /// The next solution, or nothing: then ending() says why. Throws what the engine threw.
   std::optional<KnownChoices> next();
   Ending ending() const { return ending_; }
+  const std::shared_ptr<const OwnProgram>& program() const { return program_; }
 
  private:
   void run();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <system_error>
 
 namespace solitaire {
 namespace {
@@ -85,20 +86,33 @@ bool Series::in_background() const {
          (options_.most == 0 || options_.most > size(0, 0));
 }
 
-/// As many as there are workers, of the blocks from the present one on.
+/// As many as there are workers, of the blocks from the present one on. Where there are no threads for them,
+/// fewer have to do, or the thread that asks does all.
 void Series::start_searches() {
-  if (!in_background()) return;
-  while (searches_.size() < std::min(options_.workers.size(), kUnknownBlocks + 1)) {
-    const Block block = searches_.empty() ? block_ : block_after(searches_.back().first);
-    const bool needed = options_.most == 0 || block.start < options_.most || searches_.empty();
-    if (!needed) return;
-    const auto known = solutions_.begin() + static_cast<std::ptrdiff_t>(known_to(block));
-    const std::size_t end = options_.most == 0 ? block.end : std::min<std::size_t>(block.end, options_.most);
-    const std::size_t wanted = end - std::min(end, block.start);
-    searches_.emplace_back(block, std::make_unique<BackgroundSearch>(
-                                      options_.workers[block.number % options_.workers.size()], tracing_,
-                                      block.start, std::vector(solutions_.begin(), known), wanted));
+  try {
+    while (in_background() && searches_.size() < std::min(options_.workers.size(), kUnknownBlocks + 1)) {
+      const Block block = searches_.empty() ? block_ : block_after(searches_.back().first);
+      const bool needed = options_.most == 0 || block.start < options_.most || searches_.empty();
+      if (!needed) return;
+      searches_.emplace_back(block, search(block));
+    }
+  } catch (const std::system_error&) {
+    if (!searches_.empty()) return;
+    options_.workers.clear();
+    start(block_);
   }
+}
+
+std::unique_ptr<BackgroundSearch> Series::search(const Block& block) const {
+  const auto idle =
+      std::find_if(options_.workers.begin(), options_.workers.end(), [this](const auto& worker) {
+        return std::none_of(searches_.begin(), searches_.end(),
+                            [&](const auto& search) { return search.second->program() == worker; });
+      });
+  const auto known = solutions_.begin() + static_cast<std::ptrdiff_t>(known_to(block));
+  const std::size_t end = options_.most == 0 ? block.end : std::min<std::size_t>(block.end, options_.most);
+  return std::make_unique<BackgroundSearch>(
+      *idle, tracing_, block.start, std::vector(solutions_.begin(), known), end - std::min(end, block.start));
 }
 
 std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {

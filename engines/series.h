@@ -55,6 +55,7 @@ class Series : public SolutionSource {
   bool in_background() const;
   void start(const Block& block);
   void start_searches();
+  std::unique_ptr<BackgroundSearch> search(const Block& block) const;
   std::optional<Solution> next_new();
   std::optional<Solution> next_of_block();
   void remember(const Solution& solution);

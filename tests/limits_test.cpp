@@ -301,9 +301,9 @@ TEST_CASE("limits: where there is no more memory, what was found is kept") {
   for (const char* engine : {"cadical", "z3"}) {
     const Workplace place;
     const std::string script = place.file("p.sol", kLarge);
-    const Outcome outcome =
-        run_in_shell("ulimit -v 200000 && exec \"$0\" \"$@\"",
-                     {"generate", script, "-n", "20", "--engine", engine, "-o", (place / "out").string()});
+    const Outcome outcome = run_in_shell("ulimit -v 200000 && exec \"$0\" \"$@\"",
+                                         {"generate", script, "-n", "20", "--engine", engine, "--jobs", "4",
+                                          "-o", (place / "out").string()});  // none of the four gets a thread
     CAPTURE(outcome.err);
     CHECK(outcome.status == 4);
     CHECK(has(outcome.err, "3 solutions"));
