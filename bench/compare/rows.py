@@ -24,11 +24,18 @@ def rows():
                    quick=halls != 3)
                for name, halls, ring in (("office-l2-2-4", 2, False), ("office-l3-3-4", 3, False),
                                          ("office-d4-4-4", 4, True))]
+    # The smallest squares that are known to do: 17 for two groups and 20 for three, of which it is proved, 23 for four.
+    tight = [workspace(groups, most, f"tight-{groups}, {most} x {most}", "tight rooms", quick=groups == 2)
+             for groups, most in ((2, 17), (3, 20), (3, 21), (4, 24), (6, 30))]
+    ships = [Row(f"spaceships-{number}", "spaceships", "spaceships", {"structures": number, "reach": 20},
+                 quick=number == 6) for number in (6, 12)]
+    levels = [Row(f"platforms-{number}", "platforms", "platforms", {"platforms": number, "gap": 3, "beside": 1},
+                  quick=number == 6) for number in (6, 12)]
     puzzles = [Row(f"queens-{n}, all", "enumeration", "queens", {"n": n}, ("all",), quick=n == 8) for n in (8, 9, 10)]
     puzzles += [Row("10,000 layouts of squares", "enumeration", "squares", SQUARES, ("plain",), 9999, quick=True)]
     easy = [Row("queens-12", "puzzles", "queens", {"n": 12}, quick=True),
             Row("squares", "puzzles", "squares", SQUARES, quick=True)]
-    return roomy + offices + easy + puzzles
+    return roomy + tight + offices + ships + levels + easy + puzzles
 
 
 SQUARES = {"squares": 6, "size": 3, "grid": 20}
@@ -38,6 +45,10 @@ TINY = [
     ("queens", {"n": 6}, None),
     ("squares", {"squares": 2, "size": 2, "grid": 4}, None),
     ("squares", SQUARES, 3),
+    ("spaceships", {"structures": 1, "reach": 12}, None),
+    ("spaceships", {"structures": 6, "reach": 20}, 6),
+    ("platforms", {"platforms": 3, "gap": 3, "beside": 1}, 6),
+    ("platforms", {"platforms": 6, "gap": 3, "beside": 1}, 15),
     ("workspace", {"groups": 1, "most": 12, "aisle": 2, "chairs": 1}, 9),
     ("office", {"halls": 2, "ring": False, "groups": 2, "offices": 2}, 12),
     ("office", {"halls": 4, "ring": True, "groups": 4, "offices": 4}, 25),

@@ -224,13 +224,15 @@ class Gecode(Peer):
         return total
 
     def hunt(self, total, request, path):
+        """Begins anew until a search comes to a solution soon, and then lets that search go on."""
         attempt = 0
         while not total.solutions and not total.out_of_time:
-            # The 100 further solutions may need some failures, too.
-            failures = self.FAILURES + 100 if request.count < 1000 else 100 * request.count
-            self.search(total, request, path, "-n", str(request.count), "-r", str(1000 * request.seed + attempt),
-                        "-fail", str(failures))
             attempt += 1
+            seed = str(1000 * request.seed + attempt)
+            self.search(total, request, path, "-n", "1", "-r", seed, "-fail", str(self.FAILURES))
+        if not total.out_of_time:
+            total.solutions = []
+            self.search(total, request, path, "-n", str(request.count), "-r", seed)
 
     def search(self, total, request, path, *arguments):
         left = request.limit - total.solving
