@@ -156,6 +156,10 @@ void add_search_options(CLI::App& command, Options& options) {
                                                                           {"result", Distinct::kResult}})
                       .description("choices|result"));
   command
+      .add_option("--min-distance", options.min_distance,
+                  "the share of choices, 0 to 1, in which each solution has to differ from every earlier one")
+      ->check(CLI::Range(0.0, 1.0));
+  command
       .add_option(
           "--formula", options.formula,
           "write what holds in the solutions that are left at the end, which is unsatisfiable if there "

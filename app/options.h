@@ -33,6 +33,7 @@ struct Options {
   std::uint64_t count = 1;
   bool all = false;
   Distinct distinct = Distinct::kChoices;
+  double min_distance = 0;  // of choices, 0..1
   std::filesystem::path output = "out";
   bool json = false;
   bool timings = false;

@@ -33,7 +33,10 @@ Series::Series(const Program& program, ParamValues params, const TracingOptions&
 void Series::start(std::size_t solutions) {
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, solutions);
   if (told_) engine_->on_improvement(told_);
-  for (std::size_t i = 0; i < solutions; ++i) engine_->exclude(solutions_[i]);
+  for (std::size_t i = 0; i < solutions; ++i) {
+    engine_->exclude(solutions_[i]);
+    engine_->keep_away_from(solutions_[i]);
+  }
   next_start_ = options_.restarts ? after_start(solutions) : SIZE_MAX;
 }
 
@@ -62,8 +65,13 @@ std::optional<Solution> Series::next() {
   if (!catch_up()) return std::nullopt;
   if (solutions_.size() >= next_start_) start(solutions_.size());
   std::optional<Solution> solution = next_different();
-  if (solution) solutions_.push_back(solution->answers);
+  if (solution) keep(solution->answers);
   return solution;
+}
+
+void Series::keep(KnownChoices solution) {
+  engine_->keep_away_from(solution);
+  solutions_.push_back(std::move(solution));
 }
 
 /// If something else comes, then the earlier solutions were found in another way, and the series goes on
@@ -73,7 +81,7 @@ bool Series::catch_up() {
     const std::optional<Solution> solution = next_different();
     if (!solution && ending() == Ending::kStopped) return false;
     if (solution && same_choices(solution->answers, to_repeat_.front())) {
-      solutions_.push_back(std::move(to_repeat_.front()));
+      keep(std::move(to_repeat_.front()));
       to_repeat_.pop_front();
       continue;
     }

@@ -42,6 +42,7 @@ class Series {
 
  private:
   void start(std::size_t solutions);
+  void keep(KnownChoices solution);
   std::optional<Solution> next_different();
 
   const Program& program_;

@@ -33,6 +33,8 @@ class TracingEngine : public Engine {
 
   /// Keeps a solution that is known from before from being found.
   void exclude(const KnownChoices& choices);
+  /// From now on solutions are at least TracingOptions::min_distance from this one.
+  void keep_away_from(const KnownChoices& choices);
   /// Runs a known solution. Throws NotASolution and Interrupted.
   Solution run(const KnownChoices& choices);
   /// Told of each solution that is better than the one before, while the next one is looked for.
@@ -56,9 +58,13 @@ class TracingEngine : public Engine {
  private:
   using Outcome = ExecutionSolver::Outcome;
   struct Known {
-    std::map<AddressId, std::int64_t> values;
+    ChoiceValues values;
     /// What the solver was told last: one of them holds. Nothing while the solution is on unexplored paths.
     std::optional<std::vector<NodeId>> differs;
+  };
+  struct KeptAway {
+    ChoiceValues values;
+    std::size_t told_in_pass = 0;  // the last one that the solver was told of it in
   };
   struct Found {
     Solution solution;
@@ -74,6 +80,8 @@ class TracingEngine : public Engine {
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
   void exclude_model(const Answers& answers);
+  bool require_distance(const Answers& answers);
+  NodeId distance_condition(const KeptAway& kept);
   std::vector<NodeId> differing(const Answers& answers);
   void improve(Found& best, StopSignal::Clock::time_point start);
   Found take_solution(Assignment& assignment, const Answers& answers);
@@ -104,6 +112,7 @@ class TracingEngine : public Engine {
   std::int64_t proved_ = INT64_MIN;  // no solution that is left has a lower rank
   bool last_was_best_ = false;       // the last solution has the rank proved_
   std::vector<Known> known_;
+  std::vector<KeptAway> kept_away_;
   std::uint64_t first_;  // number of the first solution
 };
 
