@@ -169,6 +169,12 @@ void add_search_options(CLI::App& command, Options& options) {
                                                                           {"result", Distinct::kResult}})
                       .description("choices|result"));
   options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  auto* min_distance =
+      command
+          .add_option(
+              "--min-distance", options.min_distance,
+              "the share of choices, 0 to 1, in which each solution has to differ from every earlier one")
+          ->check(CLI::Range(0.0, 1.0));
   command
       .add_option("--jobs", options.jobs,
                   fmt::format("how many searches work side by side; the solutions are the same for any "
@@ -191,7 +197,7 @@ void add_search_options(CLI::App& command, Options& options) {
               "write what holds in the solutions that are left at the end, which is unsatisfiable if there "
               "are none: as SMT-LIB (.smt2) or as clauses (.cnf)")
           ->check(CLI::Validator(check_formula_name, "FILE.smt2|FILE.cnf"));
-  for (CLI::Option* other : {relax, all, formula}) sample->excludes(other);
+  for (CLI::Option* other : {relax, all, formula, min_distance}) sample->excludes(other);
 }
 
 void add_count_options(CLI::App& command, Options& options) {

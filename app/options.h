@@ -42,6 +42,7 @@ struct Options {
   Distinct distinct = Distinct::kChoices;
   std::optional<DiversityLevel> diversity;  // normal, with --all low
   Sampling sampling = Sampling::kSearch;
+  double min_distance = 0;  // of choices, 0..1
   std::filesystem::path output = "out";
   bool json = false;
   bool timings = false;

@@ -186,7 +186,13 @@ void Search::summarize(Ending ending) const {
     case Ending::kNone:
       break;
     case Ending::kExhausted:
-      text += solutions_ == 0 ? ": proved that there is none" : ": proved that there is no other";
+      if (solutions_ == 0) {
+        text += ": proved that there is none";
+      } else if (options_.min_distance > 0) {
+        text += ": proved that no other is that far from all of them";
+      } else {
+        text += ": proved that there is no other";
+      }
       break;
     case Ending::kUnexplored:
       text += options_.sampling == Sampling::kUniform

@@ -56,6 +56,7 @@ TracingOptions Session::tracing_options() const {
   tracing.relax = options_.relax;
   tracing.improvement_time = options_.per_solution;
   tracing.pins = pins_;
+  tracing.min_distance = DistanceBound::of(options_.min_distance);
   tracing.limits.max_steps = options_.max_steps;
   tracing.limits.max_depth = options_.max_depth;
   tracing.limits.stop = &stop_signal();

@@ -6,6 +6,7 @@
 
 #include "engines/engine.h"
 #include "engines/explore.h"
+#include "engines/min_distance.h"
 #include "engines/pins.h"
 #include "smt/solver.h"
 #include "tracegraph/assignment.h"
@@ -36,8 +37,9 @@ struct TracingOptions {
   /// Seconds from the start of the search for a solution after which it is no longer made better.
   std::optional<double> improvement_time;
   std::vector<Pin> pins;
-  std::uint64_t effort = 0;  // conflicts after which the solver gives a question up; 0: none
-  Limits limits;             // of one execution; its stop signal ends the work
+  DistanceBound min_distance;  // of choices, from solutions to keep away from
+  std::uint64_t effort = 0;    // conflicts after which the solver gives a question up; 0: none
+  Limits limits;               // of one execution; its stop signal ends the work
 };
 
 /// Where the time went, in seconds.

@@ -30,7 +30,7 @@ void Series::explore() {
   if (manner_ != Manner::kUnknown) return;
   if (!tracing_.diverse) {
     manner_ = Manner::kEnumeration;
-  } else if (tracing_.relax || !engine_->pass().trace.wishes.empty()) {
+  } else if (tracing_.relax || tracing_.min_distance.any() || !engine_->pass().trace.wishes.empty()) {
     manner_ = Manner::kBestFirst;
   } else {
     manner_ = Manner::kBlocks;
@@ -77,7 +77,10 @@ void Series::start(const Block& block) {
   }
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, block.start);
   if (told_) engine_->on_improvement(told_);
-  for (std::size_t i = 0; i < known_to(block); ++i) engine_->exclude(solutions_[i]);
+  for (std::size_t i = 0; i < known_to(block); ++i) {
+    engine_->exclude(solutions_[i]);
+    engine_->keep_away_from(solutions_[i]);
+  }
 }
 
 /// Where there is more than one block to work on.
@@ -179,6 +182,7 @@ std::optional<Solution> Series::next_new() {
       continue;
     }
     solutions_.push_back(solution->answers);
+    engine_->keep_away_from(solution->answers);
     return solution;
   }
 }

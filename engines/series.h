@@ -22,7 +22,8 @@ struct SeriesOptions {
 /// can be worked on at a time, with the same result however many these are; what other blocks have found,
 /// too, is left out. A series that was interrupted repeats the search from the start of its block on.
 ///
-/// Where the best solutions come first, a block has to know all before it, and one follows the other. Where
+/// Where the best solutions come first, or none may be near another, a block has to know all before it, and
+/// one follows the other. Where
 /// all are gone through in order, there is one block.
 class Series : public SolutionSource {
  public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "engines/all_different.h"
 #include "engines/met_choices.h"
@@ -95,7 +96,8 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
       choices_(pins_),
       solver_(program, params_, for_solver(options, solution_stop_), choices_, graph_, addresses_,
               firmness(options.relax), first),
-      may_enumerate_(!options.diverse && !options.relax && options.backend == Backend::kCadical),
+      may_enumerate_(!options.diverse && !options.relax && options.backend == Backend::kCadical &&
+                     !options.min_distance.any()),
       number_(first) {
   limits_.keep_going = options.relax;
 }
@@ -242,6 +244,7 @@ std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::in
     Assignment assignment = solver_.assignment();
     const Answers answers = solver_.answers(assignment);
     try {
+      if (require_distance(answers)) continue;
       Found found = take_solution(assignment, answers);
       if (!most || found.rank <= *most || solver_.exact()) return found;
       ending_ = Ending::kWrapped;
@@ -251,6 +254,30 @@ std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::in
       exclude_model(answers);
     }
   }
+}
+
+/// Whether the model is too near to solutions to keep away from; then the solver is told of these, and has to
+/// be asked again. To tell it of all from the start would slow it down for what most models fulfil by chance.
+bool TracingEngine::require_distance(const Answers& answers) {
+  ChoiceValues values;
+  for (const auto& [address, answer] : answers) values.emplace_hint(values.end(), address, answer.second);
+  bool near = false;
+  for (KeptAway& kept : kept_away_) {
+    if (options_.min_distance.reached(overlap_of(values, kept.values))) continue;
+    if (std::exchange(kept.told_in_pass, met_pass_) == met_pass_)
+      throw InternalError("a model is nearer to an earlier solution than its constraint allows");
+    const Stopwatch watch(solver_.times().encode);
+    const NodeId condition = distance_condition(kept);
+    solver_.add_clause({&condition, 1});
+    near = true;
+  }
+  return near;
+}
+
+/// The choices of an execution that leaves the paths explored so far are not known.
+NodeId TracingEngine::distance_condition(const KeptAway& kept) {
+  return graph_.disjunction(far_from(graph_, solver_.trace(), kept.values, options_.min_distance),
+                            solver_.unexplored());
 }
 
 /// Keeps the solver from a model that is no execution, since ints wrapped in it.
@@ -446,6 +473,14 @@ void TracingEngine::exclude(const KnownChoices& choices) {
   if (met_pass_ > 0) exclude_known(known_.back());
 }
 
+void TracingEngine::keep_away_from(const KnownChoices& choices) {
+  if (!options_.min_distance.any()) return;
+  KeptAway kept;
+  for (const AnsweredChoice& choice : choices)
+    kept.values.emplace(addresses_.address(choice.address), choice.value);
+  kept_away_.push_back(std::move(kept));
+}
+
 Solution TracingEngine::run(const KnownChoices& choices) {
   solver_.explore();
   WrittenChoices written(choices, addresses_);
@@ -486,6 +521,7 @@ std::vector<NodeId> TracingEngine::formula() {
     for (const NodeId one : *known.differs) differs = graph_.disjunction(differs, one);
     conditions.push_back(differs);
   }
+  for (const KeptAway& kept : kept_away_) conditions.push_back(distance_condition(kept));
   std::erase(conditions, kTrue);
   return conditions;
 }

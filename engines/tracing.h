@@ -34,6 +34,8 @@ class TracingEngine : public Engine {
 
   /// Keeps a solution that is known from before from being found.
   void exclude(const KnownChoices& choices);
+  /// From now on solutions are at least TracingOptions::min_distance from this one.
+  void keep_away_from(const KnownChoices& choices);
   /// Runs a known solution. Throws NotASolution and Interrupted.
   Solution run(const KnownChoices& choices);
   /// Runs the solution with these values of the choices, which fulfil formula(). Throws Interrupted.
@@ -65,9 +67,13 @@ class TracingEngine : public Engine {
  private:
   using Outcome = ExecutionSolver::Outcome;
   struct Known {
-    std::map<AddressId, std::int64_t> values;
+    ChoiceValues values;
     /// What the solver was told last: one of them holds. Nothing while the solution is on unexplored paths.
     std::optional<std::vector<NodeId>> differs;
+  };
+  struct KeptAway {
+    ChoiceValues values;
+    std::size_t told_in_pass = 0;  // the last one that the solver was told of it in
   };
   struct Found {
     Solution solution;
@@ -83,6 +89,8 @@ class TracingEngine : public Engine {
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
   void exclude_model(const Answers& answers);
+  bool require_distance(const Answers& answers);
+  NodeId distance_condition(const KeptAway& kept);
   std::vector<NodeId> differing(const Answers& answers);
   void improve(Found& best, StopSignal::Clock::time_point start);
   Known& remember(const Solution& solution);
@@ -119,6 +127,7 @@ class TracingEngine : public Engine {
   std::unique_ptr<Enumerator> enumerator_;  // while it is what finds solutions
   bool may_enumerate_;
   std::vector<Known> known_;
+  std::vector<KeptAway> kept_away_;
   std::uint64_t number_;  // of the next solution, which its random values depend on
 };
 
