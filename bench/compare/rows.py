@@ -20,6 +20,8 @@ def workspace(groups, most, name, group, quick=False):
 def rows():
     roomy = [workspace(groups, 14 + 7 * groups, f"workspace-{groups}", "workspaces", quick=groups in (1, 3))
              for groups in range(1, 7)]
+    open_world = [Row("workspace-open", "workspaces", "workspace_open",
+                      {"most_groups": 3, "most_tables": 5, "aisle": 3}, quick=True)]
     offices = [Row(name, "offices", "office", {"halls": halls, "ring": ring, "groups": halls, "offices": 4},
                    quick=halls != 3)
                for name, halls, ring in (("office-l2-2-4", 2, False), ("office-l3-3-4", 3, False),
@@ -35,7 +37,7 @@ def rows():
     puzzles += [Row("10,000 layouts of squares", "enumeration", "squares", SQUARES, ("plain",), 9999, quick=True)]
     easy = [Row("queens-12", "puzzles", "queens", {"n": 12}, quick=True),
             Row("squares", "puzzles", "squares", SQUARES, quick=True)]
-    return roomy + tight + offices + ships + levels + easy + puzzles
+    return roomy + open_world + tight + offices + ships + levels + easy + puzzles
 
 
 SQUARES = {"squares": 6, "size": 3, "grid": 20}
@@ -49,6 +51,8 @@ TINY = [
     ("spaceships", {"structures": 6, "reach": 20}, 6),
     ("platforms", {"platforms": 3, "gap": 3, "beside": 1}, 6),
     ("platforms", {"platforms": 6, "gap": 3, "beside": 1}, 15),
+    ("workspace_open", {"most_groups": 1, "most_tables": 2, "aisle": 3}, 9),
+    ("workspace_open", {"most_groups": 2, "most_tables": 2, "aisle": 3}, 11),
     ("workspace", {"groups": 1, "most": 12, "aisle": 2, "chairs": 1}, 9),
     ("office", {"halls": 2, "ring": False, "groups": 2, "offices": 2}, 12),
     ("office", {"halls": 4, "ring": True, "groups": 4, "offices": 4}, 25),

@@ -186,8 +186,13 @@ class Gecode(Peer):
     """
     name = "gecode"
     EMPTY = "var 0..1: x :: output_var;\nsolve satisfy;\n"
-    FAILURES = 250             # before a search begins anew
-    RESTARTS = ["-restart", "constant", "-restart-scale", str(FAILURES)]
+    FAILURES = {"workspace": 250}   # before a search begins anew; for others 1000: found best by trial
+
+    def failures(self, request):
+        return str(self.FAILURES.get(request.problem, 1000))
+
+    def restarts(self, request):
+        return ["-r", str(request.seed), "-restart", "luby", "-restart-scale", self.failures(request)]
 
     def version(self):
         minizinc = said_version(["minizinc", "--version"], r"version (\S+)")
@@ -215,12 +220,10 @@ class Gecode(Peer):
         total = Answer(cpu=preparation, preparation=preparation)
         if request.kind == "all":
             self.search(total, request, path, "-n", "0")
-        elif request.kind == "first":
-            self.search(total, request, path, "-n", "1", "-r", str(request.seed), *self.RESTARTS)
         elif request.kind == "plain":
             self.hunt(total, request, path)
         else:
-            self.search(total, request, path, "-n", "1", "-r", str(request.seed), *self.RESTARTS)
+            self.search(total, request, path, "-n", "1", *self.restarts(request))
         return total
 
     def hunt(self, total, request, path):
@@ -229,7 +232,7 @@ class Gecode(Peer):
         while not total.solutions and not total.out_of_time:
             attempt += 1
             seed = str(1000 * request.seed + attempt)
-            self.search(total, request, path, "-n", "1", "-r", seed, "-fail", str(self.FAILURES))
+            self.search(total, request, path, "-n", "1", "-r", seed, "-fail", self.failures(request))
         if not total.out_of_time:
             total.solutions = []
             self.search(total, request, path, "-n", str(request.count), "-r", seed)

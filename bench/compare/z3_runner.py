@@ -61,7 +61,7 @@ def plain(value, answer):
     if isinstance(value, list):
         return sum(plain(bit, answer) << place for place, bit in enumerate(value))
     if isinstance(value, tuple):
-        return [plain(bit, answer) for bit in value].index(1)
+        return next((place for place, bit in enumerate(value) if plain(bit, answer)), -1)
     value = answer.eval(value, model_completion=True)
     return int(value.as_long()) if hasattr(value, "as_long") else int(bool(value))
 
@@ -79,7 +79,8 @@ def different(value, answer):
     if isinstance(value, list):
         return [bit != answer.eval(bit, model_completion=True) for bit in value]
     if isinstance(value, tuple):
-        return [value[plain(value, answer)] == False]  # noqa: E712, this is a term
+        place = plain(value, answer)
+        return [z3.Not(value[place])] if place >= 0 else list(value)
     return [value != answer.eval(value, model_completion=True)]
 
 
