@@ -85,7 +85,7 @@ class Solitaire:
         if request.kind in ("plain", "all"):
             child = self.solve(request, "--all", wanted=request.count or None)
         else:
-            child = self.solve(request, "-n", str(request.count), wanted=request.count)
+            child = self.solve(request, "-n", str(request.count), "--jobs=1", wanted=request.count)
         if child.status in (2, 3):
             return Answer(refused=complaint(child))
         solutions = [{choice["at"]: choice["value"] for choice in json.loads(line)["choices"]} for line in child.lines]
