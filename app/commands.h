@@ -11,6 +11,7 @@ ExitStatus generate(const Options& options, Watchdog& watchdog);
 ExitStatus solve(const Options& options, Watchdog& watchdog);
 ExitStatus check(const Options& options, Watchdog& watchdog);
 ExitStatus explain(const Options& options, Watchdog& watchdog);
+ExitStatus count(const Options& options, Watchdog& watchdog);
 ExitStatus trace_graph(const Options& options, Watchdog& watchdog);
 
 }  // namespace solitaire

@@ -5,6 +5,7 @@
 #include "app/console.h"
 #include "app/earlier_run.h"
 #include "app/marking.h"
+#include "app/run_manifest.h"
 #include "app/search.h"
 #include "app/solution_json.h"
 #include "scene/assets.h"
@@ -17,8 +18,21 @@
 namespace solitaire {
 namespace {
 
-const char* engine_name(Backend backend) {
-  return backend == Backend::kZ3 ? "tracing/z3" : "tracing/cadical";
+const char* solver_name(Backend backend) {
+  switch (backend) {
+    case Backend::kCadical:
+      break;
+    case Backend::kZ3:
+      return "z3";
+    case Backend::kThesis:
+      return "thesis";
+  }
+  return "cadical";
+}
+
+std::string engine_name(const Options& options) {
+  const bool uniform = options.sampling == Sampling::kUniform;
+  return fmt::format("{}/{}", uniform ? "uniform" : "tracing", solver_name(options.backend));
 }
 
 /// How much of a solution's value the gallery shows.
@@ -30,6 +44,11 @@ std::string shortened(std::string text) {
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
     --end;  // not within a character
   return text.substr(0, end) + " …";
+}
+
+nlohmann::ordered_json timings_json(const TracingTimes& times) {
+  return {
+      {"explore", times.explore}, {"encode", times.encode}, {"solve", times.solve}, {"replay", times.replay}};
 }
 
 /// Writes a solution's files as it is found, and at the end the page that shows them all.
@@ -52,6 +71,8 @@ class Output {
     // The last of the files: where it is, the others are.
     write_file_atomically(options_.output / entry.json, json(entry.name, number, solution, times));
     entries_.push_back(std::move(entry));
+    diversity_.add(solution);
+    times_ = times;
   }
 
   /// Takes up a solution whose files are there.
@@ -59,6 +80,7 @@ class Output {
     GalleryEntry entry = entry_of(number, solution);
     scene_of(entry, solution);
     entries_.push_back(std::move(entry));
+    diversity_.add(solution);
   }
 
   /// What the .json files of this run have in common.
@@ -66,17 +88,24 @@ class Output {
     nlohmann::ordered_json run{{"program", std::filesystem::path(options_.script).filename().string()},
                                {"params", nlohmann::ordered_json::object()},
                                {"seed", options_.seed},
-                               {"engine", engine_name(options_.backend)}};
+                               {"engine", engine_name(options_)}};
     for (const auto& [param, value] : session_.params())
       run["params"][param] = nlohmann::ordered_json::parse(to_json(value));
     return run;
   }
 
-  void close() const {
-    if (entries_.empty()) return;
-    const std::filesystem::path page = options_.output / "index.html";
-    write_file_atomically(page, gallery());
-    if (!options_.quiet) tell(fmt::format("see {}\n", page.string()));
+  /// Writes what there is to say about the run as a whole.
+  void close(std::optional<Ending> ending) const {
+    if (!entries_.empty()) {
+      const std::filesystem::path page = options_.output / "index.html";
+      write_file_atomically(page, gallery());
+      if (!options_.quiet) tell(fmt::format("see {}\n", page.string()));
+    }
+    nlohmann::ordered_json manifest{{"name", session_.name()}, {"version", SOLITAIRE_VERSION}};
+    manifest.update(run());
+    manifest.update(run_manifest(options_, diversity_, ending));
+    if (options_.timings) manifest["timings"] = timings_json(times_);
+    write_file_atomically(options_.output / (session_.name() + "-run.json"), json_text(manifest, 1) + "\n");
   }
 
  private:
@@ -113,6 +142,10 @@ class Output {
       const std::size_t sign = setting.find('=');
       info.options.emplace_back(setting.substr(0, sign), setting.substr(sign + 1));
     }
+    if (diversity_.solutions() > 1) {
+      info.options.emplace_back("mean distance of choices", fmt::format("{:.2f}", diversity_.of_choices()));
+      info.options.emplace_back("of results", fmt::format("{:.2f}", diversity_.of_results()));
+    }
     return gallery_html(info, entries_);
   }
 
@@ -121,18 +154,15 @@ class Output {
     nlohmann::ordered_json file{{"name", name}, {"index", number}};
     file.update(run());
     file.update(solution_json(solution, session_.program().sources));
-    if (options_.timings) {
-      file["timings"] = {{"explore", times.explore},
-                         {"encode", times.encode},
-                         {"solve", times.solve},
-                         {"replay", times.replay}};
-    }
+    if (options_.timings) file["timings"] = timings_json(times);
     return json_text(file, 1) + "\n";
   }
 
   const Session& session_;
   const Options& options_;
   AssetLibrary assets_;
+  Diversity diversity_;
+  TracingTimes times_;  // as of the last solution: the engine may be at work
   std::vector<GalleryEntry> entries_;
 };
 
@@ -169,7 +199,7 @@ ExitStatus generate(const Options& options, Watchdog& watchdog) {
         if (!options.json) return;
         print_result(solution_line(number, solution, session.program().sources));
       },
-      [&] { output.close(); });
+      [&](std::optional<Ending> ending) { output.close(ending); });
 }
 
 }  // namespace solitaire

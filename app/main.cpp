@@ -3,9 +3,9 @@
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/large_stack.h"
 #include "app/report.h"
 #include "app/signals.h"
+#include "solitaire/large_stack.h"
 
 namespace solitaire {
 namespace {
@@ -75,6 +75,13 @@ int run_command_line(int argc, char** argv) {
                        "of a program with solutions: give no question up, however long it takes");
   explaining->add_flag("--json", explain_options.json, "as one JSON object");
 
+  Options count_options;
+  CLI::App* counting = app.add_subcommand("count", "say how many solutions there are");
+  add_program_options(*counting, count_options);
+  add_solver_options(*counting, count_options);
+  add_count_options(*counting, count_options);
+  counting->add_flag("--json", count_options.json, "as one JSON object");
+
   Options trace_options;
   CLI::App* tracing = app.add_subcommand("trace", "print the trace graph of a program");
   add_program_options(*tracing, trace_options);
@@ -91,6 +98,7 @@ int run_command_line(int argc, char** argv) {
   if (solving->parsed()) return run(solve, solve_options);
   if (checking->parsed()) return run(check, check_options);
   if (explaining->parsed()) return run(explain, explain_options);
+  if (counting->parsed()) return run(count, count_options);
   return run(trace_graph, trace_options);
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <fmt/format.h>
+#include <thread>
 
 #include "app/formula.h"
 
@@ -47,10 +48,53 @@ CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vec
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+std::map<std::string, Backend> exact_engines() {
+  return {{"auto", Backend::kCadical}, {"cadical", Backend::kCadical}, {"z3", Backend::kZ3}};
+}
+
+/// With the one whose answers are no proofs.
+void add_engine_option(CLI::App& command, Options& options) {
+  std::map<std::string, Backend> engines = exact_engines();
+  engines.emplace("thesis", Backend::kThesis);
+  command
+      .add_option(
+          "--engine", options.backend,
+          "which solver to use: cadical (auto takes it: the fastest), z3 (the reference), or thesis (16-bit "
+          "ints and random exploration, as published, to measure against)")
+      ->transform(CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis"));
+  command.parse_complete_callback([&options] {
+    if (options.backend == Backend::kThesis && options.exploration().policy != Exploration::Policy::kRandom)
+      throw CLI::ValidationError("--explore", "--engine thesis explores at random only: random:N");
+  });
+}
+
+void add_pin_options(CLI::App& command, Options& options) {
+  add_repeatable(
+      command, "--pin", options.pins,
+      "fix the choices whose addresses match a pattern: ADDRESS=VALUE, as 'wing[*]/room[0]/x=3'; can be "
+      "given several times")
+      ->type_name("ADDRESS=VALUE");
+  add_repeatable(command, "--forbid", options.forbidden, "keep the choices that match from having a value")
+      ->type_name("ADDRESS=VALUE");
+  auto* file = command
+                   .add_option("--pin-file", options.pin_file,
+                               "fix choices to what they are in the .json file of a solution")
+                   ->type_name("FILE");
+  add_repeatable(
+      command, "--keep", options.keep,
+      "of --pin-file, fix only the choices whose addresses match the pattern; can be given several times")
+      ->type_name("PATTERN")
+      ->needs(file);
+}
+
 }  // namespace
 
+std::string Options::exploration_name() const {
+  return explore.value_or(backend == Backend::kThesis ? "random:100" : "demand");
+}
+
 Exploration Options::exploration() const {
-  const auto executions = random_executions(explore);
+  const auto executions = random_executions(exploration_name());
   if (!executions) return {};
   return {Exploration::Policy::kRandom, *executions};
 }
@@ -88,26 +132,8 @@ void add_solver_options(CLI::App& command, Options& options) {
   command
       .add_option("--engine", options.backend,
                   "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Backend>{{"auto", Backend::kCadical},
-                                                                         {"cadical", Backend::kCadical},
-                                                                         {"z3", Backend::kZ3}})
-                      .description("auto|cadical|z3"));
-  add_repeatable(
-      command, "--pin", options.pins,
-      "fix the choices whose addresses match a pattern: ADDRESS=VALUE, as 'wing[*]/room[0]/x=3'; can be "
-      "given several times")
-      ->type_name("ADDRESS=VALUE");
-  add_repeatable(command, "--forbid", options.forbidden, "keep the choices that match from having a value")
-      ->type_name("ADDRESS=VALUE");
-  auto* file = command
-                   .add_option("--pin-file", options.pin_file,
-                               "fix choices to what they are in the .json file of a solution")
-                   ->type_name("FILE");
-  add_repeatable(
-      command, "--keep", options.keep,
-      "of --pin-file, fix only the choices whose addresses match the pattern; can be given several times")
-      ->type_name("PATTERN")
-      ->needs(file);
+      ->transform(CLI::CheckedTransformer(exact_engines()).description("auto|cadical|z3"));
+  add_pin_options(command, options);
 }
 
 void add_search_options(CLI::App& command, Options& options) {
@@ -118,23 +144,79 @@ void add_search_options(CLI::App& command, Options& options) {
       .add_option("--per-solution", options.per_solution,
                   "end when one further solution takes longer than so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);
-  add_solver_options(command, options);
-  command.add_flag("--relax", options.relax,
-                   "where not all asserts can hold, break as few as possible, and mark what is broken");
-  command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
-      ->excludes(count);
+  add_engine_option(command, options);
+  add_pin_options(command, options);
+  auto* relax =
+      command.add_flag("--relax", options.relax,
+                       "where not all asserts can hold, break as few as possible, and mark what is broken");
+  auto* all =
+      command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
+          ->excludes(count);
+  auto* sample =
+      command
+          .add_option(
+              "--sample", options.sampling,
+              "how to choose among all solutions: as the search finds them (search, default), or each "
+              "with the same probability (uniform)")
+          ->transform(
+              CLI::CheckedTransformer(std::map<std::string, Sampling>{{"search", Sampling::kSearch},
+                                                                      {"uniform", Sampling::kUniform}})
+                  .description("search|uniform"));
   command
       .add_option("--distinct", options.distinct,
                   "what makes two solutions different: their choices, or the result (value and scene)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Distinct>{{"choices", Distinct::kChoices},
                                                                           {"result", Distinct::kResult}})
                       .description("choices|result"));
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  auto* min_distance =
+      command
+          .add_option(
+              "--min-distance", options.min_distance,
+              "the share of choices, 0 to 1, in which each solution has to differ from every earlier one")
+          ->check(CLI::Range(0.0, 1.0));
   command
-      .add_option(
-          "--formula", options.formula,
-          "write what holds in the solutions that are left at the end, which is unsatisfiable if there "
-          "are none: as SMT-LIB (.smt2) or as clauses (.cnf)")
-      ->check(CLI::Validator(check_formula_name, "FILE.smt2|FILE.cnf"));
+      .add_option("--jobs", options.jobs,
+                  fmt::format("how many searches work side by side; the solutions are the same for any "
+                              "number (default {}, one for each processor)",
+                              options.jobs))
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command
+      .add_option("--diversity", options.diversity,
+                  "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
+                  "'normal' (default) starts each search at random values")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, DiversityLevel>{{"low", DiversityLevel::kLow},
+                                                                        {"normal", DiversityLevel::kNormal}})
+              .description("low|normal"));
+  auto* formula =
+      command
+          .add_option(
+              "--formula", options.formula,
+              "write what holds in the solutions that are left at the end, which is unsatisfiable if there "
+              "are none: as SMT-LIB (.smt2) or as clauses (.cnf)")
+          ->check(CLI::Validator(check_formula_name, "FILE.smt2|FILE.cnf"));
+  for (CLI::Option* other : {relax, all, formula, min_distance}) sample->excludes(other);
+}
+
+void add_count_options(CLI::App& command, Options& options) {
+  CountOptions& counting = options.counting;
+  auto* exact = command.add_flag_callback(
+      "--exact", [&] { counting.way = CountOptions::Way::kExact; }, "count exactly, however long it takes");
+  command
+      .add_flag_callback(
+          "--approximate", [&] { counting.way = CountOptions::Way::kApproximate; },
+          "estimate the number, unless it is very small")
+      ->excludes(exact);
+  command
+      .add_option("--tolerance", counting.accuracy.tolerance,
+                  "an estimate is within a factor of 1 + so much (default 0.8)")
+      ->check(CLI::Range(0.01, 1000.0));
+  command
+      .add_option("--confidence", counting.accuracy.confidence,
+                  "with at least this probability (default 0.9)")
+      ->check(CLI::Range(0.0, 0.999));
 }
 
 }  // namespace solitaire

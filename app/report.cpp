@@ -4,6 +4,7 @@
 
 #include "app/console.h"
 #include "app/signals.h"
+#include "engines/uniform.h"
 
 namespace solitaire {
 
@@ -51,6 +52,9 @@ ExitStatus status_of(const Options& options, const std::function<ExitStatus()>& 
                     error.what()));
     return kError;
   } catch (const UnmatchedPin& error) {
+    tell(fmt::format("error: {}\n", error.what()));
+    return kUsage;
+  } catch (const UnequalSolutions& error) {
     tell(fmt::format("error: {}\n", error.what()));
     return kUsage;
   } catch (const std::exception& error) {  // FileError, SceneError: files that cannot be read or written

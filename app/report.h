@@ -14,6 +14,11 @@ struct Reported {
 /// Shows the mistakes on standard error.
 void report(const ProgramError& error, const SourceSet& sources);
 
+/// Why solutions cannot be counted or sampled uniformly where Ending::kUnexplored is the end.
+inline constexpr const char* kUnexploredText =
+    "not all paths could be explored: there are endlessly or very many, or --explore random:N leaves them "
+    "out";
+
 /// Which limit stopped the run: "the time limit came first".
 std::string limit_text(const Options& options);
 /// Says that, where nothing more can be said.

@@ -7,6 +7,8 @@
 #include "app/formula.h"
 #include "app/report.h"
 #include "app/solution_json.h"
+#include "engines/series.h"
+#include "engines/uniform_series.h"
 
 namespace solitaire {
 namespace {
@@ -19,17 +21,30 @@ double seconds_since(StopSignal::Clock::time_point start) {
   return std::chrono::duration<double>(StopSignal::Clock::now() - start).count();
 }
 
+std::unique_ptr<SolutionSource> source_of(const Session& session, const Options& options) {
+  const bool distinct_results = options.distinct == Distinct::kResult;
+  if (options.sampling == Sampling::kUniform) {
+    return std::make_unique<UniformSeries>(session.program(), session.params(), session.tracing_options(),
+                                           distinct_results);
+  }
+  SeriesOptions series;
+  series.distinct_results = distinct_results;
+  if (!options.all) series.most = options.count;
+  if (options.jobs > 1 && series.most != 1) series.workers = session.own_programs(options.jobs);
+  return std::make_unique<Series>(session.program(), session.params(), session.tracing_options(),
+                                  std::move(series));
+}
+
 }  // namespace
 
 Search::Search(const Session& session, const Options& options, Watchdog& watchdog)
-    : session_(session),
-      options_(options),
-      watchdog_(watchdog),
-      series_(session.program(), session.params(), session.tracing_options(),
-              {options.distinct == Distinct::kResult, !options.all}) {}
+    : session_(session), options_(options), watchdog_(watchdog), series_(source_of(session, options)) {}
 
 void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen) {
-  for (const Solution& solution : series_.resume(earlier)) seen(++solutions_, solution);
+  for (const Solution& solution : series_->resume(earlier)) {
+    seen(++solutions_, solution);
+    diversity_.add(solution);
+  }
   resumed_ = solutions_;
 }
 
@@ -42,7 +57,8 @@ ExitStatus Search::run(const Found& found, const Close& close) {
   });
   try {
     const Ending ending = deliver_all(found, progress);
-    if (options_.formula && ending != Ending::kStopped) write_formula(series_.engine(), *options_.formula);
+    if (options_.formula && ending != Ending::kStopped)
+      write_formula(series_->engine_of_rest(), *options_.formula);
     ExitStatus status = kDelivered;
     {
       const auto lock = watchdog_.delivering();
@@ -55,13 +71,13 @@ ExitStatus Search::run(const Found& found, const Close& close) {
     const auto lock = watchdog_.delivering();
     progress.end();
     report(error, session_.program().sources);
-    close();
+    close(std::nullopt);
     return watchdog_.conclude(kError);
   } catch (...) {
     const auto lock = watchdog_.delivering();
     progress.end();
     try {
-      close();
+      close(std::nullopt);
     } catch (const std::exception&) {  // the first error is the one to report
     }
     throw;
@@ -72,10 +88,10 @@ ExitStatus Search::run(const Found& found, const Close& close) {
 Ending Search::deliver_all(const Found& found, Progress& progress) {
   try {
     if (options_.relax) check_mistakes();
-    if (wants_more() && !series_.catch_up()) return series_.ending();
+    if (wants_more() && !series_->catch_up()) return series_->ending();
     while (wants_more()) {
       const std::optional<Solution> solution = next(progress);
-      if (!solution) return series_.ending();
+      if (!solution) return series_->ending();
       const auto lock = watchdog_.delivering();
       deliver(*solution, found, progress);
     }
@@ -105,26 +121,27 @@ void Search::deliver(const Solution& solution, const Found& found, Progress& pro
   for (const std::string& line : solution.execution.printed) progress.say(line);
   found(solutions_ + 1, solution);
   ++solutions_;
+  diversity_.add(solution);
 }
 
 std::optional<Solution> Search::next(Progress& progress) {
   Watchdog::SolutionTime time(watchdog_);
   // A search for the best that has found something ends in good order; see TracingOptions::improvement_time.
-  series_.on_improvement([&](const Solution& solution) {
+  series_->on_improvement([&](const Solution& solution) {
     const auto lock = watchdog_.delivering();
     best_so_far_ = solution;
     show_progress(progress, "; the next so far: " + quality_text(solution));
     time.extend();
   });
   show_progress(progress, "");
-  series_.explore();
-  show_progress(progress, fmt::format(", graph of {} nodes", series_.engine().graph().size()));
-  return series_.next();
+  series_->explore();
+  show_progress(progress, fmt::format(", graph of {} nodes", series_->engine().graph().size()));
+  return series_->next();
 }
 
 ExitStatus Search::finish(Ending ending, const Close& close) const {
   if (!options_.quiet) summarize(ending);
-  close();
+  close(ending);
   return status(ending);
 }
 
@@ -135,6 +152,7 @@ ExitStatus Search::status(Ending ending) const {
     case Ending::kExhausted:
       return options_.all && solutions_ > 0 ? kDelivered : kNoSolution;
     case Ending::kUnexplored:
+    case Ending::kWrapped:
     case Ending::kStopped:
       return kLimit;
   }
@@ -148,6 +166,7 @@ void Search::explain() const {
   stop.set_deadline(StopSignal::Clock::now() + std::chrono::milliseconds(static_cast<long>(1000 * seconds)));
   TracingOptions tracing = session_.tracing_options();
   tracing.limits.stop = &stop;
+  tracing.backend = exact_backend(tracing.backend);
   Explainer explainer(session_.program(), session_.params(), tracing);
   const std::optional<Conflict> conflict = explainer.next_conflict();
   const auto lock = watchdog_.delivering();
@@ -162,23 +181,37 @@ void Search::summarize(Ending ending) const {
   std::string text =
       fmt::format("{} solution{}{} in {:.2f} s", solutions_, solutions_ == 1 ? "" : "s",
                   resumed_ > 0 ? fmt::format(" ({} of them earlier)", resumed_) : "", seconds_since(start_));
-  if (series_.alike() > 0) text += fmt::format(", not counting {} that look like others", series_.alike());
+  if (series_->alike() > 0) text += fmt::format(", not counting {} that look like others", series_->alike());
   switch (ending) {
     case Ending::kNone:
       break;
     case Ending::kExhausted:
-      text += solutions_ == 0 ? ": proved that there is none" : ": proved that there is no other";
+      if (solutions_ == 0) {
+        text += ": proved that there is none";
+      } else if (options_.min_distance > 0) {
+        text += ": proved that no other is that far from all of them";
+      } else {
+        text += ": proved that there is no other";
+      }
       break;
     case Ending::kUnexplored:
-      text +=
-          "; the paths that were explored have no other. Explore more of them: --explore random:N with a "
-          "larger N, or demand";
+      text += options_.sampling == Sampling::kUniform
+                  ? fmt::format("; {}", kUnexploredText)
+                  : "; the paths that were explored have no other. Explore more of them: --explore random:N "
+                    "with a larger N, or demand";
+      break;
+    case Ending::kWrapped:
+      text += "; there is no other in 16 bits, which is no proof, since ints can leave them";
       break;
     case Ending::kStopped:
       text += "; " + limit_text(options_);
       break;
   }
   tell(text + "\n");
+  if (solutions_ > 1) {
+    tell(fmt::format("mean distance of choices {:.2f}, of results {:.2f}\n", diversity_.of_choices(),
+                     diversity_.of_results()));
+  }
 }
 
 }  // namespace solitaire

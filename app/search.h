@@ -6,7 +6,8 @@
 #include "app/progress.h"
 #include "app/session.h"
 #include "app/watchdog.h"
-#include "engines/series.h"
+#include "engines/distance.h"
+#include "engines/solution_source.h"
 
 namespace solitaire {
 
@@ -19,17 +20,18 @@ namespace solitaire {
 class Search {
  public:
   using Found = std::function<void(std::uint64_t number, const Solution& solution)>;
-  using Close = std::function<void()>;
+  /// Told why there is no further solution; nothing if an error came.
+  using Close = std::function<void(std::optional<Ending> ending)>;
 
   Search(const Session& session, const Options& options, Watchdog& watchdog);
   ExitStatus run(
-      const Found& found, const Close& close = [] {});
+      const Found& found, const Close& close = [](std::optional<Ending>) {});
 
   /// Goes on after solutions that an earlier run delivered; they are run again and handed to `seen`. Throws
   /// NotASolution.
   void resume(const std::vector<KnownChoices>& earlier, const Found& seen);
 
-  const TracingEngine& engine() const { return series_.engine(); }
+  const TracingEngine& engine() const { return series_->engine(); }
 
  private:
   bool wants_more() const { return options_.all || solutions_ < options_.count; }
@@ -46,9 +48,10 @@ class Search {
   const Session& session_;
   const Options& options_;
   Watchdog& watchdog_;
-  Series series_;
+  std::unique_ptr<SolutionSource> series_;
   std::uint64_t resumed_ = 0;            // solutions of earlier runs
   std::uint64_t solutions_ = 0;          // with those of earlier runs; changes only while delivering
+  Diversity diversity_;                  // of all these
   std::optional<Solution> best_so_far_;  // of the search that goes on; changes only while delivering
   /// Given back where there is no more memory, for what is to be done then. It is not touched, so it takes
   /// none from the machine.

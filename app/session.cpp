@@ -18,21 +18,31 @@ std::vector<std::pair<std::string, std::string>> split_settings(const std::vecto
 
 }  // namespace
 
-Session::Session(const Options& options) : options_(options) {
+Session::Session(const Options& options)
+    : options_(options), own_(load(options)), pins_(read_pins(options)) {}
+
+OwnProgram Session::load(const Options& options) {
+  OwnProgram own;
   SourceSet sources;
   try {
-    program_ = load_program(options.script, {{data_folder() / "solitaire", data_folder()}}, sources);
+    own.program = load_program(options.script, {{data_folder() / "solitaire", data_folder()}}, sources);
   } catch (const ProgramError& error) {
     report(error, sources);
     throw Reported{kError};
   }
   try {
-    params_ = read_params(program_, split_settings(options.settings), program_.sources);
+    own.params = read_params(own.program, split_settings(options.settings), own.program.sources);
   } catch (const ProgramError& error) {
-    report(error, program_.sources);
+    report(error, own.program.sources);
     throw Reported{kUsage};
   }
-  pins_ = read_pins(options);
+  return own;
+}
+
+std::vector<std::shared_ptr<const OwnProgram>> Session::own_programs(std::size_t number) const {
+  std::vector<std::shared_ptr<const OwnProgram>> programs;
+  for (std::size_t i = 0; i < number; ++i) programs.push_back(std::make_shared<OwnProgram>(load(options_)));
+  return programs;
 }
 
 TracingOptions Session::tracing_options() const {
@@ -40,10 +50,13 @@ TracingOptions Session::tracing_options() const {
   tracing.exploration = options_.exploration();
   tracing.seed = options_.seed;
   tracing.backend = options_.backend;
-  tracing.diverse = !options_.all;
+  const DiversityLevel usual = options_.all ? DiversityLevel::kLow : DiversityLevel::kNormal;
+  tracing.diverse =
+      options_.diversity.value_or(usual) != DiversityLevel::kLow && options_.backend != Backend::kThesis;
   tracing.relax = options_.relax;
   tracing.improvement_time = options_.per_solution;
   tracing.pins = pins_;
+  tracing.min_distance = DistanceBound::of(options_.min_distance);
   tracing.limits.max_steps = options_.max_steps;
   tracing.limits.max_depth = options_.max_depth;
   tracing.limits.stop = &stop_signal();

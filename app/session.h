@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "app/options.h"
-#include "engines/tracing.h"
+#include "engines/background_search.h"
 #include "solitaire/program.h"
 
 namespace solitaire {
@@ -13,16 +13,20 @@ class Session {
   /// Throws Reported after it told of what is wrong with the program or its pins, and FileError.
   explicit Session(const Options& options);
 
-  const Program& program() const { return program_; }
-  const ParamValues& params() const { return params_; }
+  const Program& program() const { return own_.program; }
+  const ParamValues& params() const { return own_.params; }
   TracingOptions tracing_options() const;
+  /// The program and its params so many times over, for searches beside each other. Throws as the
+  /// constructor.
+  std::vector<std::shared_ptr<const OwnProgram>> own_programs(std::size_t number) const;
   /// The script's name without folder and ending.
   std::string name() const;
 
  private:
+  static OwnProgram load(const Options& options);
+
   const Options& options_;
-  Program program_;
-  ParamValues params_;
+  OwnProgram own_;
   std::vector<Pin> pins_;
 };
 

@@ -99,7 +99,9 @@ Watchdog::AtLimit::~AtLimit() {
 }
 
 Watchdog::SolutionTime::SolutionTime(Watchdog& watchdog) : watchdog_(watchdog) {
-  watchdog_.solution_deadline_ = after(watchdog_.options_.per_solution);
+  const auto deadline = after(watchdog_.options_.per_solution);
+  watchdog_.solution_deadline_ = deadline;
+  if (Clock::now() >= deadline) watchdog_.stop_.request(StopReason::kTimePerSolution);  // no time at all
 }
 
 void Watchdog::SolutionTime::extend() {

@@ -17,11 +17,15 @@ std::string look(const Placement& placement) {
 
 }  // namespace
 
-std::string DistinctResults::key(const Execution& execution) {
+std::vector<std::string> looks_of(const Execution& execution) {
   std::vector<std::string> looks;
   for (const Placement& placement : execution.placements) looks.push_back(look(placement));
   std::sort(looks.begin(), looks.end());
-  return fmt::format("{}\n{}", to_json(execution.value), fmt::join(looks, "\n"));
+  return looks;
+}
+
+std::string DistinctResults::key(const Execution& execution) {
+  return fmt::format("{}\n{}", to_json(execution.value), fmt::join(looks_of(execution), "\n"));
 }
 
 }  // namespace solitaire

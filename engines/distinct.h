@@ -1,10 +1,14 @@
 #pragma once
 #include <string>
 #include <unordered_set>
+#include <vector>
 
 #include "solitaire/execution.h"
 
 namespace solitaire {
+
+/// What each placed thing looks like, as text, sorted: its model, place, size, turn and colour.
+std::vector<std::string> looks_of(const Execution& execution);
 
 /// Tells executions apart by what they look like: the value and the scene, and not the choices that led to
 /// them. Which of several like objects is which does not count.

@@ -28,6 +28,7 @@ enum class Ending : std::uint8_t {
   kNone,        // it may have one
   kExhausted,   // proved that there is none
   kUnexplored,  // there is none on the paths that were explored; others were not looked at
+  kWrapped,     // there is none for a solver whose ints wrap
   kStopped,     // a limit or an interrupt came first
 };
 

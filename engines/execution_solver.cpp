@@ -8,6 +8,27 @@
 #include "smt/z3_solver.h"
 
 namespace solitaire {
+namespace {
+
+/// The dissertation's "all values represented as 16-bit integers" (section 4.2.1).
+constexpr unsigned kThesisWidth = 16;
+
+std::unique_ptr<Solver> make_solver(const Graph& graph, const AddressTable& addresses,
+                                    const TracingOptions& options, std::uint64_t seed) {
+  switch (options.backend) {
+    case Backend::kCadical:
+      break;
+    case Backend::kZ3:
+      return make_z3_solver(graph, addresses, {seed, options.diverse});
+    case Backend::kThesis:
+      if (options.exploration.policy != Exploration::Policy::kRandom)
+        throw std::logic_error("the dissertation's engine explores at random");
+      return make_z3_solver(graph, addresses, {seed, false, true, kThesisWidth});
+  }
+  return make_cadical_solver(graph, {seed, options.diverse});
+}
+
+}  // namespace
 
 ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, const TracingOptions& options,
                                  Choices& choices, Graph& graph, AddressTable& addresses, Firm firm,
@@ -20,9 +41,7 @@ ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, con
                 addresses) {
   if (options_.limits.stop == nullptr) options_.limits.stop = &never_;
   const std::uint64_t solver_seed = RandomStream(options.seed, Purpose::kSolver, stream).next();
-  solver_ = options.backend == Backend::kZ3
-                ? make_z3_solver(graph_, addresses_, {solver_seed, options.diverse})
-                : make_cadical_solver(graph_, {solver_seed});
+  solver_ = make_solver(graph_, addresses_, options_, solver_seed);
   if (options.effort > 0) solver_->limit_effort(options.effort);
 }
 
@@ -47,6 +66,11 @@ void ExecutionSolver::sync() {
     const NodeId required = graph_.implication(condition.guard, condition.condition);
     if (required != kTrue && required_.insert(required.index).second) solver_->add_clause({&required, 1});
   }
+  if (!asserts_closed_sides()) return;
+  for (const TraceBlocker& blocker : trace().blockers) {
+    const NodeId closed = graph_.negation(blocker.guard);
+    solver_->add_clause({&closed, 1});
+  }
 }
 
 void ExecutionSolver::suggest_random_values(std::uint64_t index) {
@@ -65,6 +89,7 @@ NodeId ExecutionSolver::unexplored() {
 
 std::vector<NodeId> ExecutionSolver::closed_sides(Ends ends) const {
   std::vector<NodeId> closed;
+  if (asserts_closed_sides()) return closed;
   for (const TraceBlocker& blocker : trace().blockers) {
     if (ends == Ends::kMistakesAndCuts && blocker.side.kind == BranchSide::Kind::kCut) continue;
     closed.push_back(graph_.negation(blocker.guard));
@@ -93,7 +118,10 @@ ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions, End
     const Outcome outcome = find_explored(without_mistakes, ends);
     if (outcome != Outcome::kNone) return outcome;
     const std::vector<std::size_t> in_the_way = blockers_in_core();
-    if (in_the_way.empty()) return Outcome::kNone;
+    if (in_the_way.empty()) {
+      if (asserts_closed_sides() && !trace().blockers.empty()) return Outcome::kUnexplored;
+      return solver_->exact() ? Outcome::kNone : Outcome::kWrapped;
+    }
     try {
       if (!open(in_the_way)) return Outcome::kUnexplored;
     } catch (const Interrupted&) {

@@ -6,14 +6,27 @@
 
 #include "engines/engine.h"
 #include "engines/explore.h"
+#include "engines/min_distance.h"
 #include "engines/pins.h"
 #include "smt/solver.h"
 #include "tracegraph/assignment.h"
 
 namespace solitaire {
 
-/// Which solver decides the formula.
-enum class Backend : std::uint8_t { kCadical, kZ3 };
+/// Which solver decides the formula, and on which encoding of it.
+enum class Backend : std::uint8_t {
+  kCadical,
+  kZ3,
+  /// As the dissertation has it, to measure against: 16 bits for every int (section 4.2.1), Z3's default
+  /// solver, unexplored sides asserted not to be taken (R in figure 4.3) and the all-different constraint of
+  /// section 4.2.3. It takes random exploration only (section 4.1.4), and gives choices no random values.
+  kThesis,
+};
+
+/// The back end itself, or where its answers are no proofs, the default one.
+constexpr Backend exact_backend(Backend backend) {
+  return backend == Backend::kThesis ? Backend::kCadical : backend;
+}
 
 struct TracingOptions {
   Exploration exploration;
@@ -24,8 +37,9 @@ struct TracingOptions {
   /// Seconds from the start of the search for a solution after which it is no longer made better.
   std::optional<double> improvement_time;
   std::vector<Pin> pins;
-  std::uint64_t effort = 0;  // conflicts after which the solver gives a question up; 0: none
-  Limits limits;             // of one execution; its stop signal ends the work
+  DistanceBound min_distance;  // of choices, from solutions to keep away from
+  std::uint64_t effort = 0;    // conflicts after which the solver gives a question up; 0: none
+  Limits limits;               // of one execution; its stop signal ends the work
 };
 
 /// Where the time went, in seconds.
@@ -74,6 +88,7 @@ class ExecutionSolver {
   enum class Outcome : std::uint8_t {
     kFound,
     kNone,        // proved
+    kWrapped,     // none for a solver whose ints wrap
     kUnexplored,  // none on the paths that the policy explores
     kStopped,     // a limit came first, of effort too
   };
@@ -97,6 +112,9 @@ class ExecutionSolver {
   /// Where an execution leaves the paths that were explored: what the trace says of it is not all.
   NodeId unexplored();
 
+  /// As Solver::exact.
+  bool exact() const { return solver_->exact(); }
+
   // After kFound:
   Answers answers();
   /// The choices that an execution with these values of the variables meets. `complete` says whether it
@@ -113,6 +131,7 @@ class ExecutionSolver {
   const TracingTimes& times() const { return times_; }
 
  private:
+  bool asserts_closed_sides() const { return options_.backend == Backend::kThesis; }
   void sync();
   std::vector<NodeId> closed_sides(Ends ends) const;
   Verdict check(std::vector<NodeId> assumptions);

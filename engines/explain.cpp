@@ -47,6 +47,8 @@ Ending ending_of(Outcome outcome) {
       return Ending::kExhausted;
     case Outcome::kUnexplored:
       return Ending::kUnexplored;
+    case Outcome::kWrapped:
+      return Ending::kWrapped;
     case Outcome::kStopped:
       return Ending::kStopped;
     case Outcome::kNone:

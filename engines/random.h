@@ -7,7 +7,14 @@
 namespace solitaire {
 
 /// What a stream of random numbers is for. Streams of different purposes never meet.
-enum class Purpose : std::uint64_t { kExplore = 1, kSolver = 2, kSuggest = 3 };
+enum class Purpose : std::uint64_t {
+  kExplore = 1,
+  kSolver = 2,
+  kSuggest = 3,
+  kCells = 4,
+  kSample = 5,
+  kCount = 6
+};
 
 /// A counter-based stream keyed by (seed, purpose, index): its numbers depend on nothing else, on any
 /// machine.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
+#include "engines/all_different.h"
+#include "engines/met_choices.h"
 #include "engines/objective.h"
 #include "engines/wide_trace.h"
 #include "tracegraph/cone.h"
@@ -83,7 +86,7 @@ std::size_t count_broken(const Execution& execution) {
 }  // namespace
 
 TracingEngine::TracingEngine(const Program& program, ParamValues params, const TracingOptions& options,
-                             std::uint64_t known_solutions)
+                             std::uint64_t first)
     : program_(program),
       params_(std::move(params)),
       options_(options),
@@ -92,8 +95,10 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
       pins_(options.pins, addresses_),
       choices_(pins_),
       solver_(program, params_, for_solver(options, solution_stop_), choices_, graph_, addresses_,
-              firmness(options.relax), known_solutions),
-      first_(known_solutions) {
+              firmness(options.relax), first),
+      may_enumerate_(!options.diverse && !options.relax && options.backend == Backend::kCadical &&
+                     !options.min_distance.any()),
+      number_(first) {
   limits_.keep_going = options.relax;
 }
 
@@ -107,6 +112,8 @@ Ending TracingEngine::ending_of(Outcome outcome) {
       return Ending::kExhausted;
     case Outcome::kUnexplored:
       return Ending::kUnexplored;
+    case Outcome::kWrapped:
+      return Ending::kWrapped;
     case Outcome::kStopped:
       break;
   }
@@ -118,11 +125,16 @@ std::optional<Solution> TracingEngine::next() {
   const auto start = StopSignal::Clock::now();
   try {
     solver_.explore();
+    if (may_enumerate_) {
+      meet_pass();
+      std::optional<Solution> solution = next_enumerated();
+      if (solution || ending_ != Ending::kNone) return solution;
+    }
   } catch (const Interrupted&) {
     ending_ = Ending::kStopped;
     return std::nullopt;
   }
-  if (options_.diverse) solver_.suggest_random_values(first_ + known_.size());
+  if (options_.diverse) solver_.suggest_random_values(number_++);
   std::optional<Found> best;
   if (last_was_best_) best = attempt(proved_);  // perhaps there is another one as good
   if (!best && ending_ != Ending::kStopped) {
@@ -131,10 +143,59 @@ std::optional<Solution> TracingEngine::next() {
   }
   if (!best) return std::nullopt;
   improve(*best, start);
-  Known known;
-  for (const MetChoice& choice : best->solution.choices) known.values.emplace(choice.address, choice.value);
-  exclude_known(known_.emplace_back(std::move(known)));
+  exclude_known(remember(best->solution));
   return std::move(best->solution);
+}
+
+TracingEngine::Known& TracingEngine::remember(const Solution& solution) {
+  Known& known = known_.emplace_back();
+  for (const MetChoice& choice : solution.choices) known.values.emplace(choice.address, choice.value);
+  return known;
+}
+
+/// Where the solutions are all as good, and no path is left unexplored.
+bool TracingEngine::can_enumerate() const {
+  return may_enumerate_ && solver_.trace().blockers.empty() && solver_.trace().wishes.empty();
+}
+
+/// Nothing if there is none, or another way has to find it.
+std::optional<Solution> TracingEngine::next_enumerated() {
+  if (!can_enumerate()) return std::nullopt;
+  if (!enumerator_) enumerator_ = make_enumerator();
+  const Enumerator::Outcome outcome = [&] {
+    const Stopwatch watch(solver_.times().solve);
+    return enumerator_->next(solution_stop_);
+  }();
+  switch (outcome) {
+    case Enumerator::Outcome::kFound:
+      break;
+    case Enumerator::Outcome::kNone:
+      ending_ = Ending::kExhausted;
+      return std::nullopt;
+    case Enumerator::Outcome::kStopped:
+      ending_ = Ending::kStopped;
+      return std::nullopt;
+    case Enumerator::Outcome::kTooHard:
+      may_enumerate_ = false;
+      for (Known& known : known_) exclude_known(known);
+      return std::nullopt;
+  }
+  Assignment assignment(graph_, [this](std::size_t variable) { return enumerator_->value(variable); });
+  Solution solution = run(std::move(assignment));
+  remember(solution);
+  return solution;
+}
+
+std::unique_ptr<Enumerator> TracingEngine::make_enumerator() {
+  const Stopwatch watch(solver_.times().encode);
+  const MetChoices met = met_choices(graph_, solver_.trace());
+  std::vector<NodeId> conditions = formula();
+  const std::vector<NodeId> fixed = fixed_unmet_choices(graph_, met);
+  conditions.insert(conditions.end(), fixed.begin(), fixed.end());
+  std::erase(conditions, kTrue);
+  std::vector<std::size_t> choices;
+  for (const auto& [variable, guard] : met) choices.push_back(variable);
+  return std::make_unique<Enumerator>(graph_, conditions, choices);
 }
 
 /// Makes the solution better until it is proved that no better one is left, or a limit comes.
@@ -176,11 +237,51 @@ void TracingEngine::improve(Found& best, StopSignal::Clock::time_point start) {
 
 /// A solution of at most that rank; if there is none, ending_ says why.
 std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::int64_t> most) {
-  const Outcome outcome = find(most);
-  ending_ = ending_of(outcome);
-  if (outcome != Outcome::kFound) return std::nullopt;
-  return take_solution();
+  while (true) {
+    const Outcome outcome = find(most);
+    ending_ = ending_of(outcome);
+    if (outcome != Outcome::kFound) return std::nullopt;
+    Assignment assignment = solver_.assignment();
+    const Answers answers = solver_.answers(assignment);
+    try {
+      if (require_distance(answers)) continue;
+      Found found = take_solution(assignment, answers);
+      if (!most || found.rank <= *most || solver_.exact()) return found;
+      ending_ = Ending::kWrapped;
+      return std::nullopt;
+    } catch (const InternalError&) {
+      if (solver_.exact()) throw;
+      exclude_model(answers);
+    }
+  }
 }
+
+/// Whether the model is too near to solutions to keep away from; then the solver is told of these, and has to
+/// be asked again. To tell it of all from the start would slow it down for what most models fulfil by chance.
+bool TracingEngine::require_distance(const Answers& answers) {
+  ChoiceValues values;
+  for (const auto& [address, answer] : answers) values.emplace_hint(values.end(), address, answer.second);
+  bool near = false;
+  for (KeptAway& kept : kept_away_) {
+    if (options_.min_distance.reached(overlap_of(values, kept.values))) continue;
+    if (std::exchange(kept.told_in_pass, met_pass_) == met_pass_)
+      throw InternalError("a model is nearer to an earlier solution than its constraint allows");
+    const Stopwatch watch(solver_.times().encode);
+    const NodeId condition = distance_condition(kept);
+    solver_.add_clause({&condition, 1});
+    near = true;
+  }
+  return near;
+}
+
+/// The choices of an execution that leaves the paths explored so far are not known.
+NodeId TracingEngine::distance_condition(const KeptAway& kept) {
+  return graph_.disjunction(far_from(graph_, solver_.trace(), kept.values, options_.min_distance),
+                            solver_.unexplored());
+}
+
+/// Keeps the solver from a model that is no execution, since ints wrapped in it.
+void TracingEngine::exclude_model(const Answers& answers) { solver_.add_clause(differing(answers)); }
 
 TracingEngine::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
   try {
@@ -208,6 +309,10 @@ void TracingEngine::meet_pass() {
   for (const PinnedChoice& pinned : pinned_choices(graph_, solver_.trace(), pins_)) {
     if (pinned.holds != kTrue) solver_.add_clause({&pinned.holds, 1});
   }
+  if (options_.backend == Backend::kThesis) {
+    for (const NodeId condition : reserved_values(graph_, solver_.trace()))
+      solver_.add_clause({&condition, 1});
+  }
   if (!options_.relax) report_reachable_mistakes();
   objective_ = checked_objective(graph_, solver_.trace(), options_.relax);
   for (Known& known : known_) exclude_known(known);
@@ -221,6 +326,14 @@ bool TracingEngine::check_mistakes() {
     return false;
   }
   return options_.limits.stop == nullptr || !options_.limits.stop->stopped();
+}
+
+bool TracingEngine::explore_fully() {
+  solver_.explore();
+  meet_pass();  // a mistake that is known by now ends the search before it goes far
+  const bool complete = solver_.explore_fully(kMostPasses);
+  meet_pass();
+  return complete;
 }
 
 /// A pin that matches no choice is a mistake of the user's, unless that choice stands on a path that was not
@@ -252,7 +365,7 @@ void TracingEngine::report_reachable_mistakes() {
   NodeId any = kFalse;
   for (const TraceMistake& mistake : trace.mistakes) any = graph_.disjunction(any, mistake.guard);
   const Outcome outcome = solver_.find_explored([&] { return std::vector{any}; });
-  if (outcome != Outcome::kFound) return;
+  if (outcome != Outcome::kFound || !solver_.exact()) return;  // wrapped ints come to it, perhaps
   Assignment assignment = solver_.assignment();
   const auto met = std::find_if(trace.mistakes.begin(), trace.mistakes.end(),
                                 [&](const TraceMistake& mistake) { return assignment.holds(mistake.guard); });
@@ -325,11 +438,9 @@ Execution TracingEngine::replay(const Answers& answers) {
   return execute(program_, params_, choices, addresses_, limits_);
 }
 
-TracingEngine::Found TracingEngine::take_solution() {
-  Assignment assignment = solver_.assignment();
-  const Answers answers = solver_.answers(assignment);
+/// Throws InternalError if the model is not an execution.
+TracingEngine::Found TracingEngine::take_solution(Assignment& assignment, const Answers& answers) {
   Found found;
-  found.rank = assignment.value(objective_)->i;
   Solution& solution = found.solution;
   solution.execution = replay(answers);
   if (const auto& rejection = solution.execution.rejection) {
@@ -341,6 +452,7 @@ TracingEngine::Found TracingEngine::take_solution() {
     throw InternalError(
         fmt::format("a model has {} choices, its replay {}", answers.size(), solution.choices.size()));
   }
+  found.rank = assignment.value(objective_)->i;
   complete(solution);
   add_provenance(solution);
   return found;
@@ -358,8 +470,15 @@ void TracingEngine::exclude(const KnownChoices& choices) {
   for (const AnsweredChoice& choice : choices)
     known.values.emplace(addresses_.address(choice.address), choice.value);
   known_.push_back(std::move(known));
-  --first_;
   if (met_pass_ > 0) exclude_known(known_.back());
+}
+
+void TracingEngine::keep_away_from(const KnownChoices& choices) {
+  if (!options_.min_distance.any()) return;
+  KeptAway kept;
+  for (const AnsweredChoice& choice : choices)
+    kept.values.emplace(addresses_.address(choice.address), choice.value);
+  kept_away_.push_back(std::move(kept));
 }
 
 Solution TracingEngine::run(const KnownChoices& choices) {
@@ -376,7 +495,15 @@ Solution TracingEngine::run(const KnownChoices& choices) {
   return solution;
 }
 
+Solution TracingEngine::run(Assignment assignment) {
+  const Answers answers = solver_.answers(assignment);
+  return take_solution(assignment, answers).solution;
+}
+
 std::vector<NodeId> TracingEngine::formula() {
+  if (enumerator_) {
+    for (Known& known : known_) exclude_known(known);  // which it needs no clauses for
+  }
   const Trace& trace = solver_.trace();
   std::vector<NodeId> conditions;
   const ExecutionSolver::Firm firm = firmness(options_.relax);
@@ -394,8 +521,18 @@ std::vector<NodeId> TracingEngine::formula() {
     for (const NodeId one : *known.differs) differs = graph_.disjunction(differs, one);
     conditions.push_back(differs);
   }
+  for (const KeptAway& kept : kept_away_) conditions.push_back(distance_condition(kept));
   std::erase(conditions, kTrue);
   return conditions;
+}
+
+std::vector<NodeId> TracingEngine::differing(const Answers& answers) {
+  std::vector<NodeId> differs;
+  for (const auto& [address, answer] : answers) {
+    const NodeId equal = graph_.apply(Op::kEqInt, {answer.first, graph_.constant(answer.second)});
+    if (equal != kTrue) differs.push_back(graph_.negation(equal));
+  }
+  return differs;
 }
 
 /// Section 4.2.3's all-different constraint: some choice of the solution has another value. That is
@@ -416,11 +553,9 @@ void TracingEngine::exclude_known(Known& known) {
   bool explored = false;
   const Answers answers = solver_.answers(assignment, &explored);
   if (!explored) return;  // it cannot be found yet
-  std::vector<NodeId> differs;
-  for (const auto& [address, answer] : answers) {
-    const NodeId equal = graph_.apply(Op::kEqInt, {answer.first, graph_.constant(answer.second)});
-    if (equal != kTrue) differs.push_back(graph_.negation(equal));
-  }
+  const bool as_stated = options_.backend == Backend::kThesis;
+  std::vector<NodeId> differs =
+      as_stated ? differences(graph_, solver_.trace(), known.values) : differing(answers);
   if (known.differs == differs) return;
   solver_.add_clause(differs);
   known.differs = std::move(differs);

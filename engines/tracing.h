@@ -1,5 +1,6 @@
 #pragma once
 #include "engines/execution_solver.h"
+#include "smt/enumerator.h"
 
 namespace solitaire {
 
@@ -20,9 +21,9 @@ class UnmatchedPin : public std::runtime_error {
 /// by bisection between the best so far and what has been proved impossible.
 class TracingEngine : public Engine {
  public:
-  /// An engine that starts with other known solutions, which come first of a longer run, finds others.
+  /// `first` is the number of the first solution that it is to find; engines with others find others.
   TracingEngine(const Program& program, ParamValues params, const TracingOptions& options,
-                std::uint64_t known_solutions = 0);
+                std::uint64_t first = 0);
   ~TracingEngine() override;
 
   /// As Engine::next. Where a limit comes while a solution is made better, it is returned as it is.
@@ -33,17 +34,27 @@ class TracingEngine : public Engine {
 
   /// Keeps a solution that is known from before from being found.
   void exclude(const KnownChoices& choices);
+  /// From now on solutions are at least TracingOptions::min_distance from this one.
+  void keep_away_from(const KnownChoices& choices);
   /// Runs a known solution. Throws NotASolution and Interrupted.
   Solution run(const KnownChoices& choices);
+  /// Runs the solution with these values of the choices, which fulfil formula(). Throws Interrupted.
+  Solution run(Assignment assignment);
   /// Told of each solution that is better than the one before, while the next one is looked for.
   void on_improvement(std::function<void(const Solution&)> told) { told_ = std::move(told); }
 
   const Graph& graph() const { return graph_; }
+  Graph& graph() { return graph_; }
   const SymbolicPass& pass() const { return solver_.pass(); }
   std::size_t passes() const { return solver_.passes(); }
   const TracingTimes& times() const { return solver_.times(); }
   /// Explores without solving, as far as the policy goes by itself. Throws Interrupted.
   void explore() { solver_.explore(); }
+  /// Explores every path that an execution can take; false if the policy does not allow that, or if it takes
+  /// more passes than kMostPasses, as where there are endlessly many. Throws ProgramError for a mistake that
+  /// an execution can come to, UnmatchedPin, and Interrupted.
+  bool explore_fully();
+  static constexpr std::size_t kMostPasses = 200;
   /// Looks for mistakes in what has been explored so far; false if a limit came first. Throws ProgramError.
   bool check_mistakes();
   /// Looks into every side that an execution can come to, for all mistakes: each with the choices that lead
@@ -56,9 +67,13 @@ class TracingEngine : public Engine {
  private:
   using Outcome = ExecutionSolver::Outcome;
   struct Known {
-    std::map<AddressId, std::int64_t> values;
+    ChoiceValues values;
     /// What the solver was told last: one of them holds. Nothing while the solution is on unexplored paths.
     std::optional<std::vector<NodeId>> differs;
+  };
+  struct KeptAway {
+    ChoiceValues values;
+    std::size_t told_in_pass = 0;  // the last one that the solver was told of it in
   };
   struct Found {
     Solution solution;
@@ -73,8 +88,16 @@ class TracingEngine : public Engine {
   void exclude_known(Known& known);
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
+  void exclude_model(const Answers& answers);
+  bool require_distance(const Answers& answers);
+  NodeId distance_condition(const KeptAway& kept);
+  std::vector<NodeId> differing(const Answers& answers);
   void improve(Found& best, StopSignal::Clock::time_point start);
-  Found take_solution();
+  Known& remember(const Solution& solution);
+  bool can_enumerate() const;
+  std::unique_ptr<Enumerator> make_enumerator();
+  std::optional<Solution> next_enumerated();
+  Found take_solution(Assignment& assignment, const Answers& answers);
   Execution replay(const Answers& answers);
   void complete(Solution& solution) const;
   void add_provenance(Solution& solution);
@@ -99,10 +122,13 @@ class TracingEngine : public Engine {
   Ending ending_ = Ending::kNone;
   std::size_t met_pass_ = 0;
   NodeId objective_ = kFalse;
-  std::int64_t proved_ = INT64_MIN;  // no solution that is left has a lower rank
-  bool last_was_best_ = false;       // the last solution has the rank proved_
+  std::int64_t proved_ = INT64_MIN;         // no solution that is left has a lower rank
+  bool last_was_best_ = false;              // the last solution has the rank proved_
+  std::unique_ptr<Enumerator> enumerator_;  // while it is what finds solutions
+  bool may_enumerate_;
   std::vector<Known> known_;
-  std::uint64_t first_;  // number of the first solution
+  std::vector<KeptAway> kept_away_;
+  std::uint64_t number_;  // of the next solution, which its random values depend on
 };
 
 }  // namespace solitaire

@@ -10,7 +10,13 @@ namespace solitaire {
 struct TracingEngine::WideTrace {
   explicit WideTrace(TracingEngine& engine)
       : choices(nullptr, kReach, engine.pins_),
-        solver(engine.program_, engine.params_, engine.options_, choices, engine.addresses_, engine.pins_) {}
+        solver(engine.program_, engine.params_, exact(engine.options_), choices, engine.addresses_,
+               engine.pins_) {}
+
+  static TracingOptions exact(TracingOptions options) {
+    options.backend = exact_backend(options.backend);
+    return options;
+  }
 
   static constexpr std::int64_t kReach = 4096;  // past most lengths that a layout compares with
   WideChoices choices;

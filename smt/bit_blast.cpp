@@ -1,10 +1,19 @@
 #include "smt/bit_blast.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <numeric>
 #include <stdexcept>
 
 namespace solitaire {
+namespace {
+
+/// Of larger numbers, bits are fewer and clauses shorter.
+constexpr std::uint64_t kMostOrdered = 256;
+constexpr std::uint64_t kMostOrderedProduct = 1024;  // of two that are added
+
+}  // namespace
 
 /// The circuit column of the operation table, in the order of enum Op. Null: no bits say it.
 struct BitBlasts {
@@ -12,60 +21,81 @@ struct BitBlasts {
   using N = const NodeId*;
   using W = std::size_t;  // the width of an int result
   using BitBlast = Bits (*)(BitBlaster&, std::size_t width, const NodeId* operands);
+  using OrderBlast = Order (*)(BitBlaster&, const NodeId* operands);
 
   struct Row {
     Op op;
-    BitBlast blast;
+    BitBlast bits;
+    OrderBlast order;
   };
 
   static constexpr std::array<Row, kOpCount> kTable = {{
-      {Op::kConstBool, [](B b, W, N a) -> Bits { return {constant_literal(b.interval(*a).lo != 0)}; }},
-      {Op::kConstInt, [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); }},
-      {Op::kConstFloat, nullptr},
-      {Op::kChoice, [](B b, W, N a) { return b.blast_choice(*a); }},
+      {Op::kConstBool, [](B b, W, N a) -> Bits { return {constant_literal(b.interval(*a).lo != 0)}; },
+       nullptr},
+      {Op::kConstInt, [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); },
+       [](B b, N a) { return constant_order(b.interval(*a).lo); }},
+      {Op::kConstFloat, nullptr, nullptr},
+      {Op::kChoice, [](B b, W, N a) { return b.choice_number(*a); },
+       [](B b, N a) { return *b.choice(b.graph_.node(*a).payload).order; }},
 
-      {Op::kNot, [](B b, W, N a) -> Bits { return {!b.literal(a[0])}; }},
+      {Op::kNot, [](B b, W, N a) -> Bits { return {!b.literal(a[0])}; }, nullptr},
       {Op::kAnd,
-       [](B b, W, N a) -> Bits { return {b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1]))}; }},
+       [](B b, W, N a) -> Bits { return {b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1]))}; },
+       nullptr},
       {Op::kOr,
-       [](B b, W, N a) -> Bits { return {b.circuit_.disjunction(b.literal(a[0]), b.literal(a[1]))}; }},
+       [](B b, W, N a) -> Bits { return {b.circuit_.disjunction(b.literal(a[0]), b.literal(a[1]))}; },
+       nullptr},
       {Op::kEqBool,
-       [](B b, W, N a) -> Bits { return {b.circuit_.equivalence(b.literal(a[0]), b.literal(a[1]))}; }},
+       [](B b, W, N a) -> Bits { return {b.circuit_.equivalence(b.literal(a[0]), b.literal(a[1]))}; },
+       nullptr},
       {Op::kIteBool,
        [](B b, W, N a) -> Bits {
          return {b.circuit_.mux(b.literal(a[0]), b.literal(a[1]), b.literal(a[2]))};
+       },
+       nullptr},
+
+      {Op::kAdd, [](B b, W w, N a) { return add(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
+       [](B b, N a) { return sum(b.circuit_, b.order(a[0]), b.order(a[1])); }},
+      {Op::kSub, [](B b, W w, N a) { return subtract(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
+       [](B b, N a) { return sum(b.circuit_, b.order(a[0]), negated(b.order(a[1]))); }},
+      {Op::kMul, [](B b, W w, N a) { return b.product(a[0], a[1], w); },
+       [](B b, N a) {
+         const bool first = b.interval(a[0]).single();
+         return scaled(b.order(a[first ? 1 : 0]), b.interval(a[first ? 0 : 1]).lo);
        }},
-
-      {Op::kAdd, [](B b, W w, N a) { return add(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); }},
-      {Op::kSub, [](B b, W w, N a) { return subtract(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); }},
-      {Op::kMul, [](B b, W w, N a) { return b.product(a[0], a[1], w); }},
-      {Op::kDiv, [](B b, W w, N a) { return b.quotient(a[0], a[1], w); }},
-      {Op::kMod, [](B b, W w, N a) { return b.modulus(a[0], a[1], w); }},
-      {Op::kNeg, [](B b, W w, N a) { return negate_if(b.circuit_, kTrueLiteral, b.sized(a[0], w)); }},
-      {Op::kMin, [](B b, W w, N a) { return b.extreme(a[0], a[1], true, w); }},
-      {Op::kMax, [](B b, W w, N a) { return b.extreme(a[0], a[1], false, w); }},
-      {Op::kAbs, [](B b, W w, N a) { return negate_if(b.circuit_, b.bits(a[0]).back(), b.sized(a[0], w)); }},
+      {Op::kDiv, [](B b, W w, N a) { return b.quotient(a[0], a[1], w); },
+       [](B b, N a) { return divided(b.order(a[0]), b.interval(a[1]).lo); }},
+      {Op::kMod, [](B b, W w, N a) { return b.modulus(a[0], a[1], w); }, nullptr},
+      {Op::kNeg, [](B b, W w, N a) { return negate_if(b.circuit_, kTrueLiteral, b.sized(a[0], w)); },
+       [](B b, N a) { return negated(b.order(a[0])); }},
+      {Op::kMin, [](B b, W w, N a) { return b.extreme(a[0], a[1], true, w); },
+       [](B b, N a) { return smaller(b.circuit_, b.order(a[0]), b.order(a[1])); }},
+      {Op::kMax, [](B b, W w, N a) { return b.extreme(a[0], a[1], false, w); },
+       [](B b, N a) { return larger(b.circuit_, b.order(a[0]), b.order(a[1])); }},
+      {Op::kAbs, [](B b, W w, N a) { return negate_if(b.circuit_, b.bits(a[0]).back(), b.sized(a[0], w)); },
+       [](B b, N a) { return larger(b.circuit_, b.order(a[0]), negated(b.order(a[0]))); }},
       {Op::kIteInt,
-       [](B b, W w, N a) { return select(b.circuit_, b.literal(a[0]), b.sized(a[1], w), b.sized(a[2], w)); }},
+       [](B b, W w, N a) { return select(b.circuit_, b.literal(a[0]), b.sized(a[1], w), b.sized(a[2], w)); },
+       [](B b, N a) { return select(b.circuit_, b.literal(a[0]), b.order(a[1]), b.order(a[2])); }},
 
-      {Op::kEqInt, [](B b, W, N a) -> Bits { return {b.equality(a[0], a[1])}; }},
-      {Op::kLtInt, [](B b, W, N a) -> Bits { return {b.comparison(a[0], a[1], false)}; }},
-      {Op::kLeInt, [](B b, W, N a) -> Bits { return {b.comparison(a[0], a[1], true)}; }},
+      {Op::kEqInt, [](B b, W, N a) -> Bits { return {b.equality(a[0], a[1])}; }, nullptr},
+      {Op::kLtInt, [](B b, W, N a) -> Bits { return {b.comparison(a[0], a[1], false)}; }, nullptr},
+      {Op::kLeInt, [](B b, W, N a) -> Bits { return {b.comparison(a[0], a[1], true)}; }, nullptr},
 
-      {Op::kToFloat, nullptr},
-      {Op::kFloor, nullptr},
-      {Op::kAddFloat, nullptr},
-      {Op::kSubFloat, nullptr},
-      {Op::kMulFloat, nullptr},
-      {Op::kDivFloat, nullptr},
-      {Op::kNegFloat, nullptr},
-      {Op::kSqrt, nullptr},
-      {Op::kSin, nullptr},
-      {Op::kCos, nullptr},
-      {Op::kIteFloat, nullptr},
-      {Op::kEqFloat, nullptr},
-      {Op::kLtFloat, nullptr},
-      {Op::kLeFloat, nullptr},
+      {Op::kToFloat, nullptr, nullptr},
+      {Op::kFloor, nullptr, nullptr},
+      {Op::kAddFloat, nullptr, nullptr},
+      {Op::kSubFloat, nullptr, nullptr},
+      {Op::kMulFloat, nullptr, nullptr},
+      {Op::kDivFloat, nullptr, nullptr},
+      {Op::kNegFloat, nullptr, nullptr},
+      {Op::kSqrt, nullptr, nullptr},
+      {Op::kSin, nullptr, nullptr},
+      {Op::kCos, nullptr, nullptr},
+      {Op::kIteFloat, nullptr, nullptr},
+      {Op::kEqFloat, nullptr, nullptr},
+      {Op::kLtFloat, nullptr, nullptr},
+      {Op::kLeFloat, nullptr, nullptr},
   }};
 
   static constexpr bool in_order() {
@@ -78,53 +108,136 @@ struct BitBlasts {
 static_assert(BitBlasts::in_order(), "every operation has its circuit, in the order of enum Op");
 
 Literal BitBlaster::condition(NodeId node) {
-  blast(node);
+  compile({node, Form::kBits});
   return literal(node);
 }
 
 void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& literals) {
   const Graph::Node& negation = graph_.node(condition);
   const Graph::Node& equality = graph_.node(negation.operands[0]);
-  const auto [choice, constant, unused] = equality.operands;
-  if (negation.op != Op::kNot || equality.op != Op::kEqInt || graph_.node(choice).op != Op::kChoice ||
+  const auto [choice_node, constant, unused] = equality.operands;
+  if (negation.op != Op::kNot || equality.op != Op::kEqInt || graph_.node(choice_node).op != Op::kChoice ||
       !graph_.node(constant).is_constant()) {
     literals.push_back(this->condition(condition));
     return;
   }
-  blast(choice);
-  const std::size_t variable = graph_.node(choice).payload;
-  const std::uint64_t value = bits_of(variable, interval(constant).lo);
-  for (std::size_t i = 0; i < choices_[variable].size(); ++i) {
-    literals.push_back(choices_[variable][i] ^ (((value >> i) & 1) != 0));
+  const std::size_t variable = graph_.node(choice_node).payload;
+  const std::int64_t value = interval(constant).lo;
+  const Choice& made = choice(variable);
+  if (made.order) {
+    literals.insert(literals.end(), {!made.order->at_least(value), made.order->more_than(value)});
+    return;
   }
+  for (std::size_t i = 0; i < made.bits.size(); ++i)
+    literals.push_back(made.bits[i] ^ input_at(variable, i, value));
 }
 
 /// Operands first, on an own stack: the graph can be deeper than the machine's.
-void BitBlaster::blast(NodeId node) {
+void BitBlaster::compile(Part part) {
   nodes_.resize(graph_.size());
-  std::vector<NodeId> pending{node};
+  orders_.resize(graph_.size());
+  while (order_sizes_.size() < graph_.size())
+    order_sizes_.push_back(order_size({static_cast<std::uint32_t>(order_sizes_.size())}));
+  std::vector<Part> pending{part};
   while (!pending.empty()) {
-    const NodeId at = pending.back();
+    const Part at = pending.back();
     const std::size_t waiting = pending.size();
-    if (nodes_[at.index].empty()) {
-      for (const NodeId operand : graph_.node(at).args()) {
-        if (nodes_[operand.index].empty()) pending.push_back(operand);
-      }
+    if (!is_compiled(at)) {
+      push_operands(at, pending);
       if (pending.size() > waiting) continue;
-      nodes_[at.index] = blast_node(at);
+      compile_one(at);
     }
     pending.pop_back();
   }
 }
 
-Bits BitBlaster::blast_node(NodeId id) {
+bool BitBlaster::is_compiled(Part part) const {
+  return part.form == Form::kOrder ? orders_[part.node.index] != nullptr : !nodes_[part.node.index].empty();
+}
+
+void BitBlaster::push_operands(Part part, std::vector<Part>& pending) {
+  const Form form = form_of_operands(part);
+  for (const NodeId operand : graph_.node(part.node).args()) {
+    const bool is_int = graph_.node(operand).type() == Type::kInt;
+    const Part needed{operand, is_int ? form : Form::kBits};
+    if (!is_compiled(needed)) pending.push_back(needed);
+  }
+}
+
+BitBlaster::Form BitBlaster::form_of_operands(Part part) const {
+  const Graph::Node& node = graph_.node(part.node);
+  if (node.type() != Type::kBool || node.args().empty()) return part.form;
+  return comparable_in_order(node.operands[0], node.operands[1]) ? Form::kOrder : Form::kBits;
+}
+
+bool BitBlaster::comparable_in_order(NodeId a, NodeId b) const {
+  return order_sizes_[a.index].most > 0 && order_sizes_[b.index].most > 0;
+}
+
+void BitBlaster::compile_one(Part part) {
+  const Graph::Node& node = graph_.node(part.node);
+  const BitBlasts::Row& row = BitBlasts::kTable[static_cast<std::size_t>(node.op)];
+  if (row.bits == nullptr) throw std::logic_error("a float operation came to the bit-blaster");
+  const NodeId* operands = operation(node.op).arity == 0 ? &part.node : node.operands.data();
+  if (part.form == Form::kOrder) {
+    orders_[part.node.index] = std::make_shared<Order>(row.order(*this, operands));
+  } else if (node.type() != Type::kInt) {
+    nodes_[part.node.index] = row.bits(*this, 0, operands);
+  } else {
+    const auto width = static_cast<std::size_t>(bit_width(node.interval));
+    nodes_[part.node.index] = with_known_bits(row.bits(*this, width, operands), node.interval);
+  }
+}
+
+/// How many values the node's order would have, at most; 0 if it has none, or too many of them.
+BitBlaster::OrderSize BitBlaster::order_size(NodeId id) const {
   const Graph::Node& node = graph_.node(id);
-  const BitBlasts::BitBlast compile = BitBlasts::kTable[static_cast<std::size_t>(node.op)].blast;
-  if (compile == nullptr) throw std::logic_error("a float operation came to the bit-blaster");
-  const NodeId* operands = operation(node.op).arity == 0 ? &id : node.operands.data();
-  if (node.type() != Type::kInt) return compile(*this, 0, operands);
-  return with_known_bits(compile(*this, static_cast<std::size_t>(bit_width(node.interval)), operands),
-                         node.interval);
+  if (node.type() != Type::kInt || BitBlasts::kTable[static_cast<std::size_t>(node.op)].order == nullptr)
+    return {};
+  if (node.is_constant()) return {1, 0};
+  std::array<OrderSize, 3> of;
+  for (std::size_t i = 0; i < node.args().size(); ++i) of[i] = order_sizes_[node.operands[i].index];
+  const auto [a, b, c] = of;
+  const auto size = [&](std::uint64_t most, std::uint64_t stride) -> OrderSize {
+    const auto span = static_cast<std::uint64_t>(node.interval.hi - node.interval.lo);
+    most = std::min(most, span / std::max<std::uint64_t>(stride, 1) + 1);
+    return most <= kMostOrdered ? OrderSize{most, stride} : OrderSize{};
+  };
+  const auto either = [&](const OrderSize& x, const OrderSize& y, NodeId first, NodeId second) {
+    if (x.most == 0 || y.most == 0) return OrderSize{};
+    const auto offset = static_cast<std::uint64_t>(std::abs(interval(first).lo - interval(second).lo));
+    return size(x.most + y.most, std::gcd(std::gcd(x.stride, y.stride), offset));
+  };
+  switch (node.op) {
+    case Op::kChoice: {
+      const auto step = static_cast<std::uint64_t>(graph_.variable(id).domain.step);
+      return size(UINT64_MAX, step);
+    }
+    case Op::kAdd:
+    case Op::kSub:
+      if (a.most * b.most == 0 || a.most * b.most > kMostOrderedProduct) return {};
+      return size(a.most * b.most, std::gcd(a.stride, b.stride));
+    case Op::kMul: {
+      const bool first = interval(node.operands[0]).single();
+      if (a.most * b.most == 0 || !interval(node.operands[first ? 0 : 1]).single()) return {};
+      return size(a.most * b.most, 1);
+    }
+    case Op::kDiv:
+      if (b.most == 0 || !interval(node.operands[1]).single() || interval(node.operands[1]).lo <= 0)
+        return {};
+      return size(a.most, 1);
+    case Op::kNeg:
+      return size(a.most, a.stride);
+    case Op::kMin:
+    case Op::kMax:
+      return either(a, b, node.operands[0], node.operands[1]);
+    case Op::kIteInt:
+      return either(b, c, node.operands[1], node.operands[2]);
+    case Op::kAbs:
+      return size(2 * a.most, 1);
+    default:
+      return {};
+  }
 }
 
 /// Upper bits that all values of the interval have in common are constants.
@@ -136,17 +249,74 @@ Bits BitBlaster::with_known_bits(Bits bits, Interval interval) const {
   return bits;
 }
 
-/// A choice of step 1 is a number with bounds; one of a larger step counts its steps from the lower end.
-Bits BitBlaster::blast_choice(NodeId id) {
-  const std::size_t number = graph_.node(id).payload;
-  const ChoiceDomain& domain = graph_.variable(id).domain;
+BitBlaster::Choice& BitBlaster::choice(std::size_t variable) {
+  if (choices_.size() <= variable) choices_.resize(graph_.variables().size());
+  Choice& made = choices_[variable];
+  if (!made.inputs.empty()) return made;
+  const ChoiceDomain& domain = graph_.variables()[variable].domain;
+  const Interval steps{0, (domain.hi - domain.lo) / domain.step};
+  if (static_cast<std::uint64_t>(steps.hi) < kMostOrdered) {
+    made.order = ordered_input(domain, made.inputs);
+  } else {
+    made.bits = made.inputs = bounded_input(domain.step == 1 ? Interval{domain.lo, domain.hi} : steps);
+  }
+  return made;
+}
+
+Order BitBlaster::ordered_input(const ChoiceDomain& domain, Bits& inputs) {
+  Order order = constant_order(domain.lo);
+  for (std::int64_t value = domain.lo + domain.step; value <= domain.hi; value += domain.step) {
+    order.values.push_back(value);
+    order.reached.push_back(circuit_.input());
+    if (order.reached.size() == 1) continue;
+    const Literal reached_before[] = {!order.reached.back(), order.reached.end()[-2]};
+    cnf_.add_clause(reached_before);
+  }
+  inputs = order.reached;
+  return order;
+}
+
+Bits BitBlaster::choice_bits(std::size_t variable) {
+  if (choice_inputs(variable).empty()) return {};
+  Choice& made = choices_[variable];
+  if (made.bits.empty()) made.bits = bits_of_order(variable, *made.order);
+  return made.bits;
+}
+
+/// Each bit holds in some runs of neighbouring values.
+Bits BitBlaster::bits_of_order(std::size_t variable, const Order& order) {
+  const ChoiceDomain& domain = graph_.variables()[variable].domain;
+  const Interval numbers =
+      domain.step == 1 ? Interval{domain.lo, domain.hi} : Interval{0, (domain.hi - domain.lo) / domain.step};
+  Bits bits(static_cast<std::size_t>(bit_width(numbers)), kFalseLiteral);
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    bool holds = false;
+    Literal start;
+    for (const std::int64_t value : order.values) {
+      if ((((bits_of(variable, value) >> i) & 1) != 0) == holds) continue;
+      holds = !holds;
+      if (holds) {
+        start = order.at_least(value);
+      } else {
+        bits[i] = circuit_.disjunction(bits[i], circuit_.conjunction(start, !order.at_least(value)));
+      }
+    }
+    if (holds) bits[i] = circuit_.disjunction(bits[i], start);
+  }
+  return bits;
+}
+
+/// A choice of step 1 is its bits; one of a larger step counts its steps from the lower end.
+Bits BitBlaster::choice_number(NodeId id) {
+  const std::size_t variable = graph_.node(id).payload;
   const Interval values = interval(id);
-  if (choices_.size() <= number) choices_.resize(number + 1);
-  if (domain.step == 1) return choices_[number] = bounded_input(values);
-  const Bits& steps = choices_[number] = bounded_input({0, (values.hi - values.lo) / domain.step});
-  const auto bits = static_cast<std::size_t>(bit_width(values));
-  return add(circuit_, multiply(circuit_, resized(steps, bits, false), domain.step),
-             constant_bits(values.lo, bits));
+  choice(variable);
+  Bits bits = choice_bits(variable);
+  if (graph_.variable(id).domain.step == 1) return bits;
+  const auto width = static_cast<std::size_t>(bit_width(values));
+  return add(circuit_,
+             multiply(circuit_, resized(std::move(bits), width, false), graph_.variable(id).domain.step),
+             constant_bits(values.lo, width));
 }
 
 Bits BitBlaster::bounded_input(Interval interval) {
@@ -165,16 +335,33 @@ Bits BitBlaster::bounded_input(Interval interval) {
   return bits;
 }
 
-std::span<const Literal> BitBlaster::choice_bits(std::size_t variable) const {
+std::span<const Literal> BitBlaster::choice_inputs(std::size_t variable) const {
   if (variable >= choices_.size()) return {};
-  return choices_[variable];
+  return choices_[variable].inputs;
+}
+
+bool BitBlaster::input_at(std::size_t variable, std::size_t input, std::int64_t value) const {
+  if (choices_[variable].order) return choices_[variable].order->values[input + 1] <= value;
+  return ((bits_of(variable, value) >> input) & 1) != 0;
+}
+
+std::int64_t BitBlaster::decode(std::size_t variable, const std::function<bool(Literal)>& holds) const {
+  const Choice& made = choices_[variable];
+  if (made.order) {
+    const auto reached =
+        static_cast<std::size_t>(std::count_if(made.inputs.begin(), made.inputs.end(), holds));
+    return made.order->values[reached];
+  }
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < made.bits.size(); ++i) bits |= std::uint64_t{holds(made.bits[i])} << i;
+  return decode(variable, bits);
 }
 
 std::int64_t BitBlaster::decode(std::size_t variable, std::uint64_t bits) const {
   const ChoiceDomain& domain = graph_.variables()[variable].domain;
   if (domain.step != 1) return domain.lo + static_cast<std::int64_t>(bits) * domain.step;
-  const int unused = 64 - bit_width({domain.lo, domain.hi});
   if (domain.lo >= 0) return static_cast<std::int64_t>(bits);
+  const int unused = 64 - bit_width({domain.lo, domain.hi});
   return static_cast<std::int64_t>(bits << unused) >> unused;
 }
 
@@ -190,11 +377,17 @@ std::size_t BitBlaster::common_width(NodeId a, NodeId b) const {
 }
 
 Literal BitBlaster::equality(NodeId a, NodeId b) {
+  if (comparable_in_order(a, b)) return equal(circuit_, shared_order(a), shared_order(b));
   const std::size_t bits = common_width(a, b);
   return equal(circuit_, sized(a, bits), sized(b, bits));
 }
 
 Literal BitBlaster::comparison(NodeId a, NodeId b, bool or_equal) {
+  if (comparable_in_order(a, b)) return less(circuit_, shared_order(a), shared_order(b), or_equal);
+  return bit_comparison(a, b, or_equal);
+}
+
+Literal BitBlaster::bit_comparison(NodeId a, NodeId b, bool or_equal) {
   const std::size_t bits = common_width(a, b);
   Bits x = sized(a, bits);
   Bits y = sized(b, bits);
@@ -206,7 +399,7 @@ Literal BitBlaster::comparison(NodeId a, NodeId b, bool or_equal) {
 }
 
 Bits BitBlaster::extreme(NodeId a, NodeId b, bool smaller, std::size_t width) {
-  const Literal first = comparison(a, b, true) ^ !smaller;
+  const Literal first = bit_comparison(a, b, true) ^ !smaller;
   return select(circuit_, first, sized(a, width), sized(b, width));
 }
 

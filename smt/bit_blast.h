@@ -1,10 +1,14 @@
 #pragma once
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "smt/bits.h"
 #include "smt/cnf.h"
+#include "smt/order.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -23,24 +27,60 @@ class BitBlaster {
   /// met go to the Cnf.
   Literal condition(NodeId node);
   /// Adds literals of which one holds where the condition does. That a choice has another value than this one
-  /// is said by its bits: clauses that keep thousands of solutions from coming again need no further
+  /// is said by its own literals: clauses that keep thousands of solutions from coming again need no further
   /// variables.
   void add_alternatives(NodeId condition, std::vector<Literal>& literals);
-  /// The bits of a choice variable; none if no condition has met it.
-  std::span<const Literal> choice_bits(std::size_t variable) const;
-  /// The value of a choice, from the value of its bits read as an unsigned number.
+
+  /// The inputs that stand for a choice variable; none if no condition has met it.
+  std::span<const Literal> choice_inputs(std::size_t variable) const;
+  /// The same, of one that is met now if none was before.
+  std::span<const Literal> add_choice(std::size_t variable) { return choice(variable).inputs; }
+  /// Whether an input of the choice holds where it has the value.
+  bool input_at(std::size_t variable, std::size_t input, std::int64_t value) const;
+  /// The value of a choice from those of its inputs.
+  std::int64_t decode(std::size_t variable, const std::function<bool(Literal)>& holds) const;
+  /// The value of a choice from its bits read as an unsigned number.
   std::int64_t decode(std::size_t variable, std::uint64_t bits) const;
-  /// The bits of a value: the other way round.
-  std::uint64_t bits_of(std::size_t variable, std::int64_t value) const;
+  /// The bits of a choice variable: those of its value or, where its step is not 1, of the number of steps
+  /// from its lowest. None if no condition has met it.
+  Bits choice_bits(std::size_t variable);
 
  private:
   friend struct BitBlasts;
 
-  void blast(NodeId node);
-  Bits blast_node(NodeId node);
-  Bits blast_choice(NodeId node);
+  /// How an int can be written.
+  enum class Form : std::uint8_t { kBits, kOrder };
+  struct Part {
+    NodeId node;
+    Form form;  // of ints
+  };
+  /// What a choice stands for: literals for its values where these are few, else bits.
+  struct Choice {
+    std::optional<Order> order;
+    Bits inputs;  // of the bits, or of the order
+    Bits bits;    // of the value or the number of steps, once they are needed
+  };
+
+  struct OrderSize {
+    std::uint64_t most = 0;    // of values; 0: not written so
+    std::uint64_t stride = 1;  // differences of values are multiples of it; 0: one value alone
+  };
+
+  void compile(Part part);
+  bool is_compiled(Part part) const;
+  void push_operands(Part part, std::vector<Part>& pending);
+  void compile_one(Part part);
+  Form form_of_operands(Part part) const;
+  OrderSize order_size(NodeId node) const;
+  bool comparable_in_order(NodeId a, NodeId b) const;
+
+  Choice& choice(std::size_t variable);
+  Order ordered_input(const ChoiceDomain& domain, Bits& inputs);
+  Bits bits_of_order(std::size_t variable, const Order& order);
+  Bits choice_number(NodeId node);
   Bits bounded_input(Interval interval);
   Bits with_known_bits(Bits bits, Interval interval) const;
+  std::uint64_t bits_of(std::size_t variable, std::int64_t value) const;
 
   Literal literal(NodeId node) const { return nodes_[node.index][0]; }
   const Bits& bits(NodeId node) const { return nodes_[node.index]; }
@@ -51,8 +91,12 @@ class BitBlaster {
   Bits sized(NodeId node, std::size_t width) const { return resized(bits(node), width, is_signed(node)); }
   std::size_t common_width(NodeId a, NodeId b) const;
 
+  const Order& order(NodeId node) const { return *orders_[node.index]; }
+  const SharedOrder& shared_order(NodeId node) const { return orders_[node.index]; }
+
   Literal equality(NodeId a, NodeId b);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
+  Literal bit_comparison(NodeId a, NodeId b, bool or_equal);
   Bits extreme(NodeId a, NodeId b, bool smaller, std::size_t width);
   Bits product(NodeId a, NodeId b, std::size_t width);
   Bits quotient(NodeId a, NodeId b, std::size_t width);
@@ -63,8 +107,10 @@ class BitBlaster {
   const Graph& graph_;
   Circuit& circuit_;
   Cnf& cnf_;
-  std::vector<Bits> nodes_;    // none: not compiled yet
-  std::vector<Bits> choices_;  // by variable
+  std::vector<Bits> nodes_;  // none: not compiled yet
+  std::vector<SharedOrder> orders_;
+  std::vector<OrderSize> order_sizes_;  // of the nodes met
+  std::vector<Choice> choices_;         // by variable
 };
 
 }  // namespace solitaire

@@ -14,6 +14,9 @@ namespace {
 constexpr int kSatisfied = 10;
 constexpr int kUnsatisfied = 20;
 
+/// A search that takes suggested values first, whatever it learns, can take forever where things stand close.
+constexpr int kConflictsFollowing = 300;
+
 /// CaDiCaL asks all the time, so the clock is looked at only now and then.
 class Stop : public CaDiCaL::Terminator {
  public:
@@ -39,6 +42,15 @@ class CadicalSolver : public Solver, private ClauseSink {
     // Tried first, it would find the same solution whatever the seed and the suggestions.
     solver_.set("lucky", 0);
     solver_.set("stabilizeonly", 1);
+    if (options.diverse) {
+      // Else it would search around the assignment that came furthest, so around the last model.
+      solver_.set("target", 0);
+      // The search for a model near suggested values is short; what simplifying gains is lost with the next
+      // clause. So it is done a tenth as often as CaDiCaL does by itself.
+      solver_.set("elimint", 20'000);
+      solver_.set("probeint", 50'000);
+      solver_.set("subsumeint", 100'000);
+    }
   }
 
   void add_clause(std::span<const NodeId> conditions) override {
@@ -54,8 +66,7 @@ class CadicalSolver : public Solver, private ClauseSink {
     }
     apply_suggestions();
     if (signal.stopped()) return Verdict::kStopped;
-    for (const int literal : assumed) solver_.assume(literal);
-    switch (solve(signal)) {
+    switch (solve(signal, assumed)) {
       case kSatisfied:
         take_model();
         return Verdict::kSatisfiable;
@@ -91,26 +102,37 @@ class CadicalSolver : public Solver, private ClauseSink {
     solver_.add(0);
   }
 
-  int solve(const StopSignal& signal) {
+  int solve(const StopSignal& signal, const std::vector<int>& assumed) {
     Stop stop(signal);
     solver_.connect_terminator(&stop);
-    if (effort_ > 0) solver_.limit("conflicts", effort_);  // of this call
-    const int status = solver_.solve();
+    int status = 0;
+    if (!following_.empty()) {
+      status = solve_within(kConflictsFollowing, assumed);
+      for (const int variable : following_) solver_.unphase(variable);
+      following_.clear();
+    }
+    if (status == 0 && !signal.stopped()) status = solve_within(effort_, assumed);
     solver_.disconnect_terminator();
     return status;
+  }
+
+  int solve_within(int conflicts, const std::vector<int>& assumed) {
+    for (const int literal : assumed) solver_.assume(literal);
+    if (conflicts > 0) solver_.limit("conflicts", conflicts);  // of this call
+    return solver_.solve();
   }
 
   /// Suggestions for choices that no condition has met yet wait.
   void apply_suggestions() {
     std::vector<std::size_t> waiting;
     for (const std::size_t variable : suggested_) {
-      const std::span<const Literal> bits = blaster_.choice_bits(variable);
-      if (bits.empty()) waiting.push_back(variable);
-      const std::uint64_t wanted = blaster_.bits_of(variable, *suggestions_[variable]);
-      for (std::size_t i = 0; i < bits.size(); ++i) {
-        if (is_constant(bits[i])) continue;
-        const int number = cnf_.variable(bits[i]);
-        solver_.phase(((wanted >> i) & 1) != 0 ? number : -number);
+      const std::span<const Literal> inputs = blaster_.choice_inputs(variable);
+      if (inputs.empty()) waiting.push_back(variable);
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (is_constant(inputs[i])) continue;
+        const int number = cnf_.variable(inputs[i]);
+        following_.push_back(number);
+        solver_.phase(blaster_.input_at(variable, i, *suggestions_[variable]) ? number : -number);
       }
     }
     suggested_ = std::move(waiting);
@@ -119,9 +141,9 @@ class CadicalSolver : public Solver, private ClauseSink {
   /// CaDiCaL forgets its model with the next clause.
   void take_model() {
     model_.resize(graph_.variables().size());
+    const auto holds = [this](Literal input) { return this->holds(input); };
     for (std::size_t i = 0; i < model_.size(); ++i) {
-      const std::span<const Literal> bits = blaster_.choice_bits(i);
-      model_[i] = bits.empty() ? free_value(i) : blaster_.decode(i, value_of(bits));
+      model_[i] = blaster_.choice_inputs(i).empty() ? free_value(i) : blaster_.decode(i, holds);
     }
   }
 
@@ -131,14 +153,9 @@ class CadicalSolver : public Solver, private ClauseSink {
     return variable < suggestions_.size() ? suggestions_[variable].value_or(lowest) : lowest;
   }
 
-  std::uint64_t value_of(std::span<const Literal> bits) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-      const int number = is_constant(bits[i]) ? 0 : cnf_.known_variable(bits[i]);
-      const bool holds = number != 0 ? solver_.val(number) > 0 : bits[i] == kTrueLiteral;
-      if (holds) value |= std::uint64_t{1} << i;
-    }
-    return value;
+  bool holds(Literal input) {
+    const int number = is_constant(input) ? 0 : cnf_.known_variable(input);
+    return number != 0 ? solver_.val(number) > 0 : input == kTrueLiteral;
   }
 
   void take_core(std::span<const NodeId> assumptions, const std::vector<int>& assumed) {
@@ -158,6 +175,7 @@ class CadicalSolver : public Solver, private ClauseSink {
   std::vector<std::int64_t> model_;     // by variable
   std::vector<NodeId> core_;
   int effort_ = 0;
+  std::vector<int> following_;  // variables that take suggested values first
 };
 
 }  // namespace

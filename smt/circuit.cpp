@@ -71,6 +71,13 @@ Literal Circuit::majority(Literal a, Literal b, Literal c) {
   return intern(Kind::kMajority, x) ^ negate;
 }
 
+Literal Circuit::defined(std::unique_ptr<Definition> definition) {
+  const Literal number(static_cast<std::uint32_t>(definitions_.size()), false);
+  definitions_.push_back(std::move(definition));
+  gates_.push_back({Kind::kDefined, {number, {}, {}}, 0});
+  return {static_cast<std::uint32_t>(gates_.size() - 1), false};
+}
+
 std::uint64_t Circuit::hash(const Gate& gate) {
   std::uint64_t hash = static_cast<std::uint64_t>(gate.kind);
   for (const Literal operand : gate.operands) hash = mix(hash, operand.code());
@@ -95,7 +102,7 @@ void Circuit::grow_table() {
   table_.assign(2 * table_.size(), 0);
   const std::size_t mask = table_.size() - 1;
   for (std::size_t i = 1; i < gates_.size(); ++i) {
-    if (gates_[i].kind == Kind::kInput) continue;
+    if (gates_[i].kind == Kind::kInput || gates_[i].kind == Kind::kDefined) continue;
     std::size_t slot = hash(gates_[i]) & mask;
     while (table_[slot] != 0) slot = (slot + 1) & mask;
     table_[slot] = static_cast<std::uint32_t>(i);

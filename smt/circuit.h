@@ -2,6 +2,8 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace solitaire {
@@ -29,11 +31,20 @@ inline constexpr Literal kTrueLiteral{0, true};
 constexpr bool is_constant(Literal literal) { return literal.gate() == 0; }
 constexpr Literal constant_literal(bool value) { return kFalseLiteral ^ value; }
 
+/// What a literal means, said by whoever makes it: clauses that follow from it, and others from its negation.
+/// No assignment may fulfil both lists.
+class Definition {
+ public:
+  using Emit = std::function<void(std::initializer_list<Literal> clause)>;
+  virtual ~Definition() = default;
+  virtual void write(bool negated, const Emit& emit) const = 0;
+};
+
 /// A hash-consed circuit: equal gates are one, and none has a constant, equal or opposite operands, as all
 /// that folds away when it is made.
 class Circuit {
  public:
-  enum class Kind : std::uint8_t { kInput, kAnd, kXor, kMux, kParity, kMajority };
+  enum class Kind : std::uint8_t { kInput, kAnd, kXor, kMux, kParity, kMajority, kDefined };
   struct Gate {
     Kind kind = Kind::kInput;
     std::array<Literal, 3> operands{};
@@ -56,8 +67,14 @@ class Circuit {
   Literal parity(Literal a, Literal b, Literal c);
   /// Whether at least two of them hold: the carry of a full adder.
   Literal majority(Literal a, Literal b, Literal c);
+  /// A gate of its own. The maker counts the uses of the literals in its clauses.
+  Literal defined(std::unique_ptr<Definition> definition);
 
   const Gate& gate(Literal literal) const { return gates_[literal.gate()]; }
+  /// Of a gate of the kind kDefined.
+  const Definition& definition(Literal literal) const {
+    return *definitions_[gate(literal).operands[0].gate()];
+  }
   std::size_t size() const { return gates_.size(); }
   /// Counts a use from outside.
   void use(Literal literal) { ++gates_[literal.gate()].uses; }
@@ -68,6 +85,7 @@ class Circuit {
   static std::uint64_t hash(const Gate& gate);
 
   std::vector<Gate> gates_;
+  std::vector<std::unique_ptr<Definition>> definitions_;
   std::vector<std::uint32_t> table_;  // open addressing; 0 is free, as the constant is never looked up
 };
 

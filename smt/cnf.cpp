@@ -30,6 +30,11 @@ int Cnf::assumable(Literal literal) {
   return number;
 }
 
+int Cnf::equivalent(Literal literal) {
+  assumable(!literal);
+  return assumable(literal);
+}
+
 int Cnf::known_variable(Literal input) const { return has_number(input) ? numbers_[input.gate()] : 0; }
 
 /// Clauses make definitions necessary and these make clauses; on own stacks, as the circuit can be deeper
@@ -55,6 +60,17 @@ void Cnf::write(Clause clause) {
   buffer_.clear();
   if (clause.head != 0) buffer_.push_back(clause.head);
   for (const Literal literal : clause.literals) buffer_.push_back(demand(literal));
+  sink_.clause(buffer_);
+}
+
+/// Without looking for what could be part of the clause: there are many of these.
+void Cnf::write_plain(int head, std::initializer_list<Literal> literals) {
+  buffer_.clear();
+  if (head != 0) buffer_.push_back(head);
+  for (const Literal literal : literals) {
+    if (literal == kTrueLiteral) return;
+    if (literal != kFalseLiteral) buffer_.push_back(demand(literal));
+  }
   sink_.clause(buffer_);
 }
 
@@ -124,6 +140,10 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
       push({a ^ negated, b ^ negated});
       push({a ^ negated, c ^ negated});
       return push({b ^ negated, c ^ negated});
+    case Circuit::Kind::kDefined:
+      if (!rest.literals.empty()) return circuit_.definition(literal).write(negated, push);
+      return circuit_.definition(literal).write(
+          negated, [&](std::initializer_list<Literal> literals) { write_plain(rest.head, literals); });
   }
 }
 

@@ -27,9 +27,13 @@ class Cnf {
   void add_clause(std::span<const Literal> literals);
   /// The number of a literal that can be assumed: where it holds, the circuit's literal holds.
   int assumable(Literal literal);
+  /// The number of a literal that holds where the circuit's literal does, and nowhere else.
+  int equivalent(Literal literal);
   /// The variable that stands for an input of the circuit.
   int variable(Literal input) { return number(input); }
-  /// The same, 0 if no clause has met the input yet.
+  /// How many variables there are.
+  int variables() const { return variables_; }
+  /// The variable of an input, 0 if no clause has met the input yet.
   int known_variable(Literal input) const;
 
  private:
@@ -40,6 +44,7 @@ class Cnf {
 
   void write_all();
   void write(Clause clause);
+  void write_plain(int head, std::initializer_list<Literal> literals);
   bool flatten(std::vector<Literal>& literals) const;
   bool distribute(const Clause& clause);
   void define(Literal literal);

@@ -1,7 +1,5 @@
 #include "smt/dimacs.h"
 
-#include <algorithm>
-#include <cstdlib>
 #include <fmt/format.h>
 
 #include "smt/bit_blast.h"
@@ -12,17 +10,16 @@ namespace {
 constexpr const char* kHeader =
     "c A formula of solitaire: what holds in the solutions that are left. It depends on these choices:\n"
     "c     choice ADDRESS = LOWEST..HIGHEST step STEP: BITS\n"
-    "c with the least significant bit first, each a variable, T or F where it is known, - where no clause\n"
-    "c needs it. They count the steps from LOWEST to the choice; where STEP is 1, they are the choice "
-    "itself,\n"
-    "c in two's complement if LOWEST is negative.\n"
+    "c with the least significant bit first, each a literal, T or F where it is known. They count the steps\n"
+    "c from LOWEST to the choice; where STEP is 1, they are the choice itself, in two's complement if "
+    "LOWEST\n"
+    "c is negative.\n"
     "c\n";
 
 class Text : public ClauseSink {
  public:
   void clause(std::span<const int> literals) override {
     for (const int literal : literals) {
-      variables_ = std::max(variables_, std::abs(literal));
       fmt::format_to(std::back_inserter(clauses_), "{} ", literal);
     }
     clauses_ += "0\n";
@@ -30,18 +27,18 @@ class Text : public ClauseSink {
   }
 
   /// What the format wants to stand behind the comments.
-  std::string problem() const { return fmt::format("p cnf {} {}\n{}", variables_, count_, clauses_); }
+  std::string problem(int variables) const {
+    return fmt::format("p cnf {} {}\n{}", variables, count_, clauses_);
+  }
 
  private:
   std::string clauses_;
   std::size_t count_ = 0;
-  int variables_ = 0;
 };
 
-std::string bit_text(Literal bit, const Cnf& cnf) {
+std::string bit_text(Literal bit, Cnf& cnf) {
   if (is_constant(bit)) return bit == kTrueLiteral ? " T" : " F";
-  const int variable = cnf.known_variable(bit);
-  return variable == 0 ? " -" : fmt::format(" {}", variable);
+  return fmt::format(" {}", cnf.equivalent(bit));
 }
 
 }  // namespace
@@ -57,7 +54,7 @@ std::string to_dimacs(const Graph& graph, const AddressTable& addresses, std::sp
   }
   std::string comments = kHeader;
   for (std::size_t i = 0; i < graph.variables().size(); ++i) {
-    const std::span<const Literal> bits = blaster.choice_bits(i);
+    const Bits bits = blaster.choice_bits(i);
     if (bits.empty()) continue;  // no condition depends on it
     const auto& [address, domain] = graph.variables()[i];
     comments += fmt::format("c choice {} = {}..{} step {}:", addresses.text(address), domain.lo, domain.hi,
@@ -65,7 +62,7 @@ std::string to_dimacs(const Graph& graph, const AddressTable& addresses, std::sp
     for (const Literal bit : bits) comments += bit_text(bit, cnf);
     comments += '\n';
   }
-  return comments + text.problem();
+  return comments + text.problem(cnf.variables());
 }
 
 }  // namespace solitaire

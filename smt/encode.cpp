@@ -90,8 +90,15 @@ struct Encodings {
 };
 static_assert(Encodings::in_order(), "every operation has its encoding, in the order of enum Op");
 
-Encoder::Encoder(z3::context& context, const Graph& graph, const AddressTable& addresses)
-    : context_(context), graph_(graph), addresses_(addresses) {}
+Encoder::Encoder(z3::context& context, const Graph& graph, const AddressTable& addresses,
+                 unsigned fixed_width)
+    : context_(context), graph_(graph), addresses_(addresses), fixed_width_(fixed_width) {}
+
+bool Encoder::fits(Interval values) const {
+  if (fixed_width_ == 0) return true;
+  const std::int64_t end = std::int64_t{1} << (fixed_width_ - 1);
+  return -end <= values.lo && values.hi < end;
+}
 
 z3::expr Encoder::condition(NodeId node) {
   encode(node);
@@ -122,6 +129,7 @@ z3::expr Encoder::encode_node(NodeId id) {
   const Encodings::Encoding encoding = Encodings::kTable[static_cast<std::size_t>(node.op)].encoding;
   if (encoding == nullptr) throw std::logic_error("a float operation came to the bit-vector encoder");
   const unsigned result_width = node.type() == Type::kInt ? width(id) : 0;
+  if (node.type() == Type::kInt && !fits(node.interval)) exact_ = false;
   const z3::expr made = encoding(*this, result_width, node.is_constant() ? &id : node.operands.data());
   if (node.type() != Type::kInt) return made;
   // Division computes at its operands' width; the interval says how much of it can be in use.
@@ -129,6 +137,14 @@ z3::expr Encoder::encode_node(NodeId id) {
   if (have > result_width) return made.extract(result_width - 1, 0);
   if (have == result_width) return made;
   return is_signed(id) ? z3::sext(made, result_width - have) : z3::zext(made, result_width - have);
+}
+
+void Encoder::check_fits(const ChoiceVariable& variable, Interval values) const {
+  if (fits(values)) return;
+  throw ChoiceTooWide("the values of " + addresses_.text(variable.address) + " go from " +
+                      std::to_string(values.lo) + " to " + std::to_string(values.hi) +
+                      ", which is more than the " + std::to_string(fixed_width_) +
+                      " bits hold that this engine has for every int");
 }
 
 /// A choice of step 1 is a vector with bounds; one of a larger step counts its steps from the lower end.
@@ -139,6 +155,7 @@ z3::expr Encoder::encode_choice(NodeId id) {
   const std::string name = addresses_.text(variable.address);
   choices_.resize(std::max(choices_.size(), number + 1));
   const Interval values = interval(id);
+  check_fits(variable, values);
   if (domain.step == 1) {
     const unsigned bits = width(id);
     const z3::expr term = context_.bv_const((name + "!" + std::to_string(number)).c_str(), bits);
@@ -152,7 +169,7 @@ z3::expr Encoder::encode_choice(NodeId id) {
     return term;
   }
   const std::int64_t last = (values.hi - values.lo) / domain.step;
-  const auto step_bits = static_cast<unsigned>(bit_width({0, last}));
+  const unsigned step_bits = width({0, last});
   const z3::expr steps = context_.bv_const((name + "!" + std::to_string(number)).c_str(), step_bits);
   domains_.push_back(z3::ule(steps, context_.bv_val(last, step_bits)));
   choices_[number] = steps;
@@ -170,7 +187,7 @@ std::optional<z3::expr> Encoder::choice_term(std::size_t variable) const {
 std::int64_t Encoder::decode(std::size_t variable, std::uint64_t bits) const {
   const ChoiceDomain& domain = graph_.variables()[variable].domain;
   if (domain.step != 1) return domain.lo + static_cast<std::int64_t>(bits) * domain.step;
-  const int used = bit_width({domain.lo, domain.hi});
+  const unsigned used = width({domain.lo, domain.hi});
   const bool negative = domain.lo < 0 && ((bits >> (used - 1)) & 1U) != 0;
   return static_cast<std::int64_t>(negative && used < 64 ? bits - (std::uint64_t{1} << used) : bits);
 }
@@ -184,6 +201,7 @@ z3::expr Encoder::sized(NodeId node, unsigned wanted) const {
 }
 
 unsigned Encoder::common_width(NodeId a, NodeId b) const {
+  if (fixed_width_ != 0) return fixed_width_;
   if (!either_signed(a, b)) return std::max(width(a), width(b));
   return std::max(width(a) + (is_signed(a) ? 0 : 1), width(b) + (is_signed(b) ? 0 : 1));
 }
@@ -199,7 +217,7 @@ z3::expr Encoder::less(NodeId a, NodeId b, bool or_equal) const {
 /// Truncating division, mended where the remainder has the wrong sign. One bit more keeps the smallest value
 /// divided by -1 from wrapping.
 z3::expr Encoder::floor_divide(NodeId a, NodeId b) const {
-  const unsigned bits = common_width(a, b) + (either_signed(a, b) ? 1 : 0);
+  const unsigned bits = common_width(a, b) + (either_signed(a, b) && fixed_width_ == 0 ? 1 : 0);
   const z3::expr x = sized(a, bits);
   const z3::expr y = sized(b, bits);
   if (!either_signed(a, b)) return z3::udiv(x, y);

@@ -25,6 +25,9 @@ class Solver {
   virtual void limit_effort(std::uint64_t conflicts) = 0;
   /// A value to try first for a choice, in the checks to come. False if this solver takes no suggestions.
   virtual bool suggest(std::size_t variable, std::int64_t value) = 0;
+  /// Whether ints are exact. If not, some of them may have wrapped: a model may then be no execution, and an
+  /// unsatisfiable formula no proof.
+  virtual bool exact() const { return true; }
   /// After kSatisfiable: the value of the choice variable with that number.
   virtual std::int64_t value(std::size_t variable) = 0;
   /// After kUnsatisfiable: assumptions that cannot hold together with what was added. Empty: nothing assumed

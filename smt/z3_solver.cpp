@@ -51,7 +51,9 @@ void throw_bad_alloc(Z3_context, Z3_error_code error) {
 class Z3Solver : public Solver {
  public:
   Z3Solver(const Graph& graph, const AddressTable& addresses, const Z3Options& options)
-      : graph_(graph), encoder_(context_, graph, addresses), solver_(context_, "QF_BV") {
+      : graph_(graph),
+        encoder_(context_, graph, addresses, options.fixed_width),
+        solver_(options.default_solver ? z3::solver(context_) : z3::solver(context_, "QF_BV")) {
     Z3_set_error_handler(context_, throw_bad_alloc);
     z3::params params(context_);
     params.set("random_seed", static_cast<unsigned>(options.seed & 0x7fffffffU));
@@ -101,6 +103,7 @@ class Z3Solver : public Solver {
   }
 
   bool suggest(std::size_t, std::int64_t) override { return false; }
+  bool exact() const override { return encoder_.exact(); }
 
   std::int64_t value(std::size_t variable) override {
     const auto term = encoder_.choice_term(variable);

@@ -7,9 +7,11 @@
 #include <doctest/doctest.h>
 #include <functional>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "smt/cadical_solver.h"
+#include "smt/enumerator.h"
 #include "smt/z3_solver.h"
 #include "tracegraph/assignment.h"
 #include "tracegraph/graph.h"
@@ -171,6 +173,36 @@ TEST_CASE(
   }
   CHECK(satisfiable > 300);
   CHECK(unsatisfiable > 300);
+}
+
+TEST_CASE("enumerator: goes through all assignments that fulfil random conditions, each once") {
+  const StopSignal never;
+  std::size_t models = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    Thicket thicket(seed, true, kFew);
+    for (int i = 0; i < 120; ++i) thicket.grow();
+    const std::vector<NodeId> conditions = thicket.conditions(3);
+    std::set<std::vector<std::int64_t>> expected, found;
+    thicket.each_assignment([&](Assignment& each) {
+      if (truth(each, with({}, conditions)) != Truth::kHolds) return;
+      std::vector<std::int64_t> values;
+      for (std::size_t i = 0; i < thicket.domains.size(); ++i)
+        values.push_back(each.value(thicket.graph.variable_node(i))->i);
+      expected.insert(values);
+    });
+    const std::vector<std::size_t> choices = {0, 1, 2, 3};
+    Enumerator enumerator(thicket.graph, conditions, choices);
+    while (enumerator.next(never) == Enumerator::Outcome::kFound) {
+      std::vector<std::int64_t> values;
+      for (const std::size_t choice : choices) values.push_back(enumerator.value(choice));
+      REQUIRE(found.insert(values).second);
+    }
+    CHECK(enumerator.next(never) == Enumerator::Outcome::kNone);
+    CHECK(found == expected);
+    models += found.size();
+  }
+  CHECK(models > 1000);
 }
 
 TEST_CASE("cadical: agrees with Z3 on random graphs") {

@@ -151,7 +151,8 @@ TEST_CASE("cli: generate writes the same bytes for the same seed, and other scen
     return files_in(place / folder);
   };
   const auto first = generate("7", "a");
-  CHECK(first.size() == 7);
+  CHECK(first.size() == 8);
+  CHECK(first.count("scene-run.json") == 1);
   CHECK(first.count("scene-0003.glb") == 1);
   CHECK(first.count("scene-0003.json") == 1);
   CHECK(first.count("index.html") == 1);
@@ -162,6 +163,39 @@ TEST_CASE("cli: generate writes the same bytes for the same seed, and other scen
   CHECK(solution["seed"] == 7);
   CHECK(solution["choices"].size() == 2);
   CHECK(solution["value"].size() == 2);
+}
+
+TEST_CASE("cli: a run of several solutions says how much they differ, and generate how it ended") {
+  const Workplace place;
+  const std::string pairs = place.file("pairs.sol", kPairs);
+  const auto manifest = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"generate", pairs, "-o", place / "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_solitaire(arguments);
+    CHECK(has(outcome.err, "mean distance of choices") == (outcome.err[0] > '1'));
+    return json::parse(bytes_of(place / "out/pairs-run.json"));
+  };
+  const json all = manifest({"--all", "--seed", "9"});
+  CHECK(all["ended"] == "exhausted");
+  CHECK(all["solutions"] == 4);
+  CHECK(all["mean_distance"]["choices"] == 1);  // no x and no y twice
+  CHECK(all["mean_distance"]["results"] == 1);
+  CHECK(all["options"]["all"] == true);
+  CHECK(all["program"] == "pairs.sol");
+  CHECK(all["seed"] == 9);
+  CHECK(all["engine"] == "tracing/cadical");
+  CHECK(!all.contains("timings"));
+  CHECK(has(bytes_of(place / "out/index.html"), "mean distance of choices"));
+  const json one = manifest({"-n", "1", "--timings"});
+  CHECK(one["ended"] == "enough");
+  CHECK(one["options"]["n"] == 1);
+  CHECK(!one.contains("mean_distance"));
+  CHECK(one["timings"].contains("solve"));
+  CHECK(manifest({"-n", "4", "--timeout", "0"})["ended"] == "timeout");
+  place.file("pairs.sol", kNone);
+  CHECK(manifest({})["ended"] == "exhausted");
+  CHECK(has(run_solitaire({"solve", place.file("same.sol", "x = range(1, 2);\nreturn 7;\n"), "--all"}).err,
+            "mean distance of choices 1.00, of results 0.00\n"));
 }
 
 TEST_CASE("cli: solve prints the same for the same seed, by every way to explore and every solver") {

@@ -94,6 +94,7 @@ class Comparer {
     Exploration few = random;
     few.executions = 2;
     compare("demand", {});
+    compare("demand, all in order", {}, false);
     compare("demand with nothing unasked", little);
     compare("demand with little unasked", some);
     compare("random:300", random);
@@ -130,9 +131,9 @@ class Comparer {
     result_.errors = expected_.errors.size();
   }
 
-  void compare(const std::string& name, const Exploration& exploration) {
+  void compare(const std::string& name, const Exploration& exploration, bool diverse = true) {
     if (result_.outcome != Comparison::Outcome::kEqual) return;
-    const Found found = solve(exploration);
+    const Found found = solve(exploration, diverse);
     ending_ = found.ending;
     if (!found.fault.empty()) return differ(name, found.fault);
     for (const std::string& error : found.errors) {
@@ -153,12 +154,13 @@ class Comparer {
     }
   }
 
-  Found solve(const Exploration& exploration) {
+  Found solve(const Exploration& exploration, bool diverse) {
     StopSignal stop;
     stop.set_deadline(StopSignal::Clock::now() + kTimeOfAnEngine);
     TracingOptions options;
     options.exploration = exploration;
     options.seed = seed_;
+    options.diverse = diverse;
     options.limits = limits_;
     options.limits.stop = &stop;
     Found found;

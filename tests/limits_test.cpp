@@ -75,10 +75,14 @@ std::vector<fs::path> entries(const fs::path& folder) {
   return {fs::directory_iterator(folder), fs::directory_iterator()};
 }
 
+/// What is said about the run as a whole.
+bool is_manifest(const fs::path& file) { return has(file.filename().string(), "-run.json"); }
+
 std::size_t solutions_in(const fs::path& folder) {
   const std::vector<fs::path> files = entries(folder);
-  return static_cast<std::size_t>(std::count_if(
-      files.begin(), files.end(), [](const fs::path& file) { return file.extension() == ".json"; }));
+  return static_cast<std::size_t>(std::count_if(files.begin(), files.end(), [](const fs::path& file) {
+    return file.extension() == ".json" && !is_manifest(file);
+  }));
 }
 
 /// The files that a page leads to.
@@ -115,10 +119,19 @@ void check_ended_in_order(const fs::path& folder) {
   check_whole(folder);
   const std::size_t solutions = solutions_in(folder);
   const std::set<std::string> links = links_of(bytes_of(folder / "index.html"));
+  std::size_t manifests = 0;
   for (const fs::path& file : entries(folder)) {
     CAPTURE(file.string());
-    CHECK((file.filename() == "index.html" || links.count(file.filename().string()) == 1));
+    const bool is_page = file.filename() == "index.html";
+    CHECK((is_page || is_manifest(file) || links.count(file.filename().string()) == 1));
+    if (!is_manifest(file)) continue;
+    ++manifests;
+    const json manifest = json::parse(bytes_of(file));
+    CHECK(manifest["solutions"] == solutions);
+    CHECK(manifest["ended"] != "exhausted");
+    CHECK(manifest.contains("mean_distance") == (solutions > 1));
   }
+  CHECK(manifests == 1);
   CHECK(links.size() == 2 * solutions);
   CHECK(fs::exists(folder / "index.html") == (solutions > 0));
 }
@@ -288,9 +301,9 @@ TEST_CASE("limits: where there is no more memory, what was found is kept") {
   for (const char* engine : {"cadical", "z3"}) {
     const Workplace place;
     const std::string script = place.file("p.sol", kLarge);
-    const Outcome outcome =
-        run_in_shell("ulimit -v 200000 && exec \"$0\" \"$@\"",
-                     {"generate", script, "-n", "20", "--engine", engine, "-o", (place / "out").string()});
+    const Outcome outcome = run_in_shell("ulimit -v 200000 && exec \"$0\" \"$@\"",
+                                         {"generate", script, "-n", "20", "--engine", engine, "--jobs", "4",
+                                          "-o", (place / "out").string()});  // none of the four gets a thread
     CAPTURE(outcome.err);
     CHECK(outcome.status == 4);
     CHECK(has(outcome.err, "3 solutions"));

@@ -57,10 +57,11 @@ std::vector<Found> all_solutions(const Program& program, const ParamValues& para
   TracingOptions options;
   options.diverse = false;
   if (way == Way::kZ3) options.backend = Backend::kZ3;
-  if (way == Way::kRandom) options.exploration = {Exploration::Policy::kRandom, 40};
+  if (way == Way::kThesis) options.backend = Backend::kThesis;
+  if (way == Way::kRandom || way == Way::kThesis) options.exploration = {Exploration::Policy::kRandom, 40};
   TracingEngine engine(program, params, options);
   auto found = all_solutions(engine);
-  if (way != Way::kRandom) CHECK(engine.ending() == Ending::kExhausted);
+  if (way == Way::kDemand || way == Way::kZ3) CHECK(engine.ending() == Ending::kExhausted);
   if (way == Way::kDemand) check_that_nothing_is_left(engine);
   return found;
 }

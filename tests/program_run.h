@@ -26,11 +26,12 @@ struct Found {
 /// All solutions that an engine has, sorted.
 std::vector<Found> all_solutions(Engine& engine);
 
-/// Exploring on demand with CaDiCaL or Z3, exploring at random, or running every execution.
-enum class Way { kDemand, kZ3, kRandom, kExhaustive };
+/// Exploring on demand with CaDiCaL or Z3, exploring at random, the dissertation's engine, or running every
+/// execution.
+enum class Way { kDemand, kZ3, kRandom, kThesis, kExhaustive };
 
-/// All solutions of a program by one of the engines, sorted. kRandom explores a number of random executions,
-/// and may therefore miss some; for kDemand, other solvers confirm that there are no more. Throws
+/// All solutions of a program by one of the engines, sorted. kRandom and kThesis explore a number of random
+/// executions, and may therefore miss some; for kDemand, other solvers confirm that there are no more. Throws
 /// ProgramError.
 std::vector<Found> all_solutions(const Program& program, const ParamValues& params, Way way);
 

@@ -64,7 +64,8 @@ std::map<std::string, std::int64_t> choices_in(const std::string& clauses, const
     words >> word >> word >> address >> word >> lowest >> word >> word >> step >> word;
     bool last = false;
     for (; words >> word; weight *= 2) {
-      last = word == "T" || (word != "F" && word != "-" && bits.at(std::stoi(word)));
+      const int literal = std::atoi(word.c_str());
+      last = word == "T" || (literal != 0 && bits.at(std::abs(literal)) == (literal > 0));
       if (last) number += weight;
     }
     if (step != 1) {

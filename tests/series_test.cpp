@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <set>
 
 #include "tests/program_run.h"
 #include "tests/proof.h"
@@ -34,11 +35,18 @@ std::vector<KnownChoices> take_choices(Series& series, std::size_t count) {
   return taken;
 }
 
+SeriesOptions different_looks() {
+  SeriesOptions options;
+  options.distinct_results = true;
+  return options;
+}
+
 void check_resumed(const char* text, const SeriesOptions& options, const std::vector<std::size_t>& cuts,
-                   std::size_t count) {
+                   std::size_t count, bool diverse = true) {
   const Program program = program_of(text);
   TracingOptions tracing;
   tracing.seed = 7;
+  tracing.diverse = diverse;
   Series whole(program, {}, tracing, options);
   const std::vector<std::string> expected = take(whole, count);
   for (const std::size_t cut : cuts) {
@@ -56,26 +64,78 @@ void check_resumed(const char* text, const SeriesOptions& options, const std::ve
 }
 
 TEST_CASE("series: an interrupted one goes on with exactly what would have come, wherever it was cut") {
-  check_resumed(kRooks, {false, true}, {0, 1, 31, 32, 33, 63, 64, 65, 90}, 100);
+  check_resumed(kRooks, {}, {0, 1, 3, 4, 5, 24, 31, 56, 57, 120}, 140);
 }
 
 TEST_CASE("series: the same without solutions that look like others, to the end of all") {
-  check_resumed(kRooks, {true, true}, {0, 5, 32, 50, 90}, 1000);  // there are 90
+  check_resumed(kRooks, different_looks(), {0, 5, 32, 50, 90}, 1000);  // there are 90
 }
 
 TEST_CASE("series: the same with the best first") {
-  check_resumed("x = range(0, 9); y = range(0, 9); assert(x != y); minimize(x / 3 + y / 2); return x;",
-                {false, true}, {10, 40}, 90);
+  check_resumed("x = range(0, 9); y = range(0, 9); assert(x != y); minimize(x / 3 + y / 2); return x;", {},
+                {10, 40}, 90);
 }
 
-TEST_CASE("series: one without restarts finds the others, in some order") {
-  const Program program = program_of("x = range(0, 19); y = range(0, 1); return x;");
-  Series first(program, {}, {}, {false, false});
-  const std::vector<KnownChoices> earlier = take_choices(first, 13);
-  Series second(program, {}, {}, {false, false});
-  second.resume(earlier);
-  CHECK(take(second, 100).size() == 40 - 13);
-  CHECK(second.ending() == Ending::kExhausted);
+TEST_CASE("series: the same where all are gone through in order") {
+  check_resumed("x = range(0, 19); y = range(0, 1); return x;", {}, {0, 13, 39}, 100, false);
+}
+
+/// What comes with so many searches at work beside each other.
+std::vector<std::string> take_with(std::size_t jobs, const char* text, SeriesOptions options,
+                                   std::size_t count, Ending* ending) {
+  const Program program = program_of(text);
+  for (std::size_t i = 0; i < jobs; ++i)
+    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(text), {}}));
+  Series series(program, {}, {}, options);
+  std::vector<std::string> taken = take(series, count);
+  *ending = series.ending();
+  return taken;
+}
+
+TEST_CASE("series: the same solutions come in the same order, however many searches are at work") {
+  for (const bool looks : {false, true}) {
+    for (const std::size_t count : {1, 7, 60, 1000}) {
+      const SeriesOptions options = looks ? different_looks() : SeriesOptions{};
+      Ending ending = Ending::kNone;
+      const std::vector<std::string> expected = take_with(0, kRooks, options, count, &ending);
+      CHECK(expected.size() == std::min<std::size_t>(count, looks ? 90 : 720));
+      CHECK(std::set<std::string>(expected.begin(), expected.end()).size() == expected.size());
+      for (const std::size_t jobs : {2, 3, 8, 20}) {
+        CAPTURE(jobs);
+        Ending other = Ending::kNone;
+        CHECK(take_with(jobs, kRooks, options, count, &other) == expected);
+        CHECK(other == ending);
+      }
+    }
+  }
+}
+
+TEST_CASE("series: a search at work beside others hands on its errors, in its turn") {
+  // Half of all executions come to a mistake, which is looked for before anything is found.
+  const char* const text = "x = range(0, 99);\nif x > 49 { y = 1 + \"a\"; }\nreturn x;\n";
+  const Program program = program_of(text);
+  SeriesOptions options;
+  for (int i = 0; i < 2; ++i)
+    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(text), {}}));
+  Series series(program, {}, {}, options);
+  CHECK_THROWS_AS(series.next(), ProgramError);
+}
+
+TEST_CASE("series: searches at work beside others end when they are told to") {
+  const char* const text = "x = [range(0, 1000) for i in 1..20]; assert(sum(x) == 999); return x;";
+  const Program program = program_of(text);
+  SeriesOptions options;
+  for (int i = 0; i < 3; ++i)
+    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(text), {}}));
+  StopSignal stop;
+  TracingOptions tracing;
+  tracing.limits.stop = &stop;
+  Series series(program, {}, tracing, options);
+  REQUIRE(series.next());
+  stop.request();
+  while (series.next()) {
+  }
+  CHECK(series.ending() == Ending::kStopped);
 }
 
 TEST_CASE("series: what is no solution of the program is refused, by its number") {

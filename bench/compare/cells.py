@@ -27,6 +27,10 @@ class Cell:
         return median(self.seconds) if self.seconds else None
 
     @property
+    def whole_value(self):
+        return median(self.whole) if self.whole else None
+
+    @property
     def distance(self):
         return median(self.distances) if self.distances else None
 

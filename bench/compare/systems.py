@@ -66,7 +66,7 @@ def said_version(command, pattern):
 
 
 class Solitaire:
-    """The program as its users run it. `plain` takes solutions as --all finds them, without random starts."""
+    """The program as its users run it, but with one job, so that CPU seconds say how long it takes."""
 
     def __init__(self, name, binary, arguments=()):
         self.name = name
@@ -79,13 +79,15 @@ class Solitaire:
     def solve(self, request, *arguments, wanted=None):
         settings = [f"--set={name}={json.dumps(value)}" for name, value in request.params.items()]
         settings += [f"--pin={at}={json.dumps(value)}" for at, value in request.pins.items()]
-        command = [self.binary, "solve", str(problem_file(request.problem, ".sol")), "--json", "--quiet",
+        command = [self.binary, "solve", str(problem_file(request.problem, ".sol")), "--json", "--quiet", "--jobs=1",
                    f"--seed={request.seed}", *settings, *self.arguments, *arguments]
         return measure.run(command, request.limit, wanted, stamp_at=request.stamp_at)
 
     def answer(self, request):
-        if request.kind in ("plain", "all"):
-            child = self.solve(request, "--all", wanted=request.count or None)
+        if request.kind == "all":
+            child = self.solve(request, "--all")
+        elif request.kind == "plain":
+            child = self.solve(request, "-n", str(request.count), "--diversity=low", wanted=request.count)
         else:
             child = self.solve(request, "-n", str(request.count), wanted=request.count)
         if child.status in (2, 3):

@@ -1,0 +1,58 @@
+#include "engines/distance.h"
+
+#include <functional>
+
+#include "engines/distinct.h"
+#include "tracegraph/hash.h"
+
+namespace solitaire {
+namespace {
+
+void add_values(Features& features, const std::string& name, const Value& value) {
+  if (const List* list = value.as_list(); list != nullptr && !list->items.empty()) {
+    for (std::size_t i = 0; i < list->items.size(); ++i)
+      add_values(features, name + '[' + std::to_string(i) + ']', list->items[i]);
+    return;
+  }
+  if (const auto* record = value.object<Record>(); record != nullptr && !record->fields.empty()) {
+    for (std::size_t i = 0; i < record->fields.size(); ++i)
+      add_values(features, name + '.' + record->type->fields[i].name, record->fields[i]);
+    return;
+  }
+  features.emplace(name, to_json(value));
+}
+
+}  // namespace
+
+Features choice_features(const std::vector<AnsweredChoice>& choices) {
+  Features features;
+  for (const AnsweredChoice& choice : choices) features.emplace(choice.address, std::to_string(choice.value));
+  return features;
+}
+
+Features result_features(const Execution& execution) {
+  Features features;
+  std::uint64_t copy = 0;
+  std::string before;
+  for (std::string& look : looks_of(execution)) {
+    copy = look == before ? copy + 1 : 0;
+    features.emplace(std::to_string(copy) + ' ' + look, "");
+    before = std::move(look);
+  }
+  if (!execution.value.is<Value::Nil>()) add_values(features, "value", execution.value);
+  return features;
+}
+
+void MeanDistance::add(const Features& features) {
+  pairs_.all += names_ + count_ * features.size();
+  for (const auto& [name, value] : features) {
+    const std::uint64_t named = std::hash<std::string>{}(name);
+    const std::uint64_t valued = mix(named, std::hash<std::string>{}(value));
+    pairs_.all -= with_name_[named]++;  // names of both count once
+    pairs_.shared += with_value_[valued]++;
+  }
+  names_ += features.size();
+  ++count_;
+}
+
+}  // namespace solitaire

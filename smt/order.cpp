@@ -1,0 +1,173 @@
+#include "smt/order.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace solitaire {
+namespace {
+
+std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && a < 0 ? 1 : 0); }
+
+/// A number that can have these values. Of those that no value of the literals leads to, none is kept.
+template <class AtLeast>
+Order make(std::vector<std::int64_t> values, AtLeast at_least) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  Order made{{values.front()}, {}};
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const Literal reached = at_least(values[i]);
+    if (reached == kFalseLiteral) break;
+    const bool unreachable = reached == (made.reached.empty() ? kTrueLiteral : made.reached.back());
+    if (unreachable) {
+      made.values.back() = values[i];
+    } else {
+      made.values.push_back(values[i]);
+      made.reached.push_back(reached);
+    }
+  }
+  return made;
+}
+
+std::vector<std::int64_t> values_of_both(const Order& a, const Order& b) {
+  std::vector<std::int64_t> values;
+  std::merge(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), std::back_inserter(values));
+  return values;
+}
+
+/// The literals of the number will stand in clauses.
+void use(Circuit& circuit, const Order& order) {
+  for (const Literal literal : order.reached) {
+    circuit.use(literal);
+    circuit.use(literal);
+  }
+}
+
+/// What `less` says and its negation, each a list of implications between what the two reach. Written as a
+/// formula of gates, one of the two would be a long disjunction, from which nothing follows in a search.
+class Comparison : public Definition {
+ public:
+  Comparison(SharedOrder a, SharedOrder b) : a_(std::move(a)), b_(std::move(b)) {}
+
+  void write(bool negated, const Emit& emit) const override {
+    if (negated) {
+      for (const std::int64_t value : b_->values) emit({!b_->at_least(value), a_->more_than(value)});
+    } else {
+      for (const std::int64_t value : a_->values) emit({!a_->at_least(value), b_->at_least(value)});
+    }
+  }
+
+ private:
+  SharedOrder a_, b_;
+};
+
+class Equality : public Definition {
+ public:
+  Equality(SharedOrder a, SharedOrder b) : a_(std::move(a)), b_(std::move(b)) {}
+
+  void write(bool negated, const Emit& emit) const override {
+    if (negated) {
+      std::vector<std::int64_t> common;
+      std::set_intersection(a_->values.begin(), a_->values.end(), b_->values.begin(), b_->values.end(),
+                            std::back_inserter(common));
+      for (const std::int64_t v : common)
+        emit({!a_->at_least(v), a_->more_than(v), !b_->at_least(v), b_->more_than(v)});
+    } else {
+      for (const std::int64_t value : a_->values) emit({!a_->at_least(value), b_->at_least(value)});
+      for (const std::int64_t value : b_->values) emit({!b_->at_least(value), a_->at_least(value)});
+    }
+  }
+
+ private:
+  SharedOrder a_, b_;
+};
+
+Literal is(Circuit& circuit, const Order& a, std::int64_t value) {
+  if (!std::binary_search(a.values.begin(), a.values.end(), value)) return kFalseLiteral;
+  return circuit.conjunction(a.at_least(value), !a.more_than(value));
+}
+
+}  // namespace
+
+Literal Order::at_least(std::int64_t bound) const {
+  const auto position = std::lower_bound(values.begin(), values.end(), bound) - values.begin();
+  if (position == 0) return kTrueLiteral;
+  if (position == static_cast<std::ptrdiff_t>(values.size())) return kFalseLiteral;
+  return reached[static_cast<std::size_t>(position) - 1];
+}
+
+Order constant_order(std::int64_t value) { return {{value}, {}}; }
+
+Order negated(const Order& a) {
+  Order made;
+  for (auto value = a.values.rbegin(); value != a.values.rend(); ++value) made.values.push_back(-*value);
+  for (auto literal = a.reached.rbegin(); literal != a.reached.rend(); ++literal)
+    made.reached.push_back(!*literal);
+  return made;
+}
+
+Order scaled(const Order& a, std::int64_t factor) {
+  Order made = factor < 0 ? negated(a) : a;
+  for (std::int64_t& value : made.values) value *= factor < 0 ? -factor : factor;
+  return made;
+}
+
+Order divided(const Order& a, std::int64_t divisor) {
+  std::vector<std::int64_t> values;
+  for (const std::int64_t value : a.values) values.push_back(floor_divide(value, divisor));
+  return make(std::move(values), [&](std::int64_t bound) { return a.at_least(bound * divisor); });
+}
+
+Order sum(Circuit& circuit, const Order& a, const Order& b) {
+  if (a.size() < b.size()) return sum(circuit, b, a);
+  std::vector<std::int64_t> values;
+  for (const std::int64_t x : a.values) {
+    for (const std::int64_t y : b.values) values.push_back(x + y);
+  }
+  return make(std::move(values), [&](std::int64_t bound) {
+    Literal any = kFalseLiteral;
+    Literal rest = kFalseLiteral;
+    for (const std::int64_t value : b.values) {
+      const Literal needed = a.at_least(bound - value);
+      if (needed != rest) any = circuit.disjunction(any, circuit.conjunction(b.at_least(value), needed));
+      rest = needed;
+    }
+    return any;
+  });
+}
+
+Order select(Circuit& circuit, Literal condition, const Order& a, const Order& b) {
+  return make(values_of_both(a, b), [&](std::int64_t bound) {
+    return circuit.mux(condition, a.at_least(bound), b.at_least(bound));
+  });
+}
+
+Order smaller(Circuit& circuit, const Order& a, const Order& b) {
+  return make(values_of_both(a, b),
+              [&](std::int64_t bound) { return circuit.conjunction(a.at_least(bound), b.at_least(bound)); });
+}
+
+Order larger(Circuit& circuit, const Order& a, const Order& b) {
+  return make(values_of_both(a, b),
+              [&](std::int64_t bound) { return circuit.disjunction(a.at_least(bound), b.at_least(bound)); });
+}
+
+Literal less(Circuit& circuit, const SharedOrder& a, const SharedOrder& b, bool or_equal) {
+  if (!or_equal) return !less(circuit, b, a, true);
+  if (a->values.back() <= b->values.front()) return kTrueLiteral;
+  if (a->values.front() > b->values.back()) return kFalseLiteral;
+  if (a->size() == 1) return b->at_least(a->values.front());
+  if (b->size() == 1) return !a->more_than(b->values.front());
+  use(circuit, *a);
+  use(circuit, *b);
+  return circuit.defined(std::make_unique<Comparison>(a, b));
+}
+
+Literal equal(Circuit& circuit, const SharedOrder& a, const SharedOrder& b) {
+  if (a->size() == 1) return is(circuit, *b, a->values.front());
+  if (b->size() == 1) return is(circuit, *a, b->values.front());
+  use(circuit, *a);
+  use(circuit, *b);
+  return circuit.defined(std::make_unique<Equality>(a, b));
+}
+
+}  // namespace solitaire

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "smt/circuit.h"
+
+namespace solitaire {
+
+/// A number told by which of its possible values it reaches (order encoding; Tamura, Taga, Kitagawa and
+/// Banbara 2009). Comparisons need no arithmetic: they are a clause of two literals for each value, through
+/// which bounds travel from one number to the other as in a finite domain solver.
+struct Order {
+  std::vector<std::int64_t> values;  // ascending, at least one
+  std::vector<Literal> reached;      // of each value but the first: whether the number is no less
+
+  std::size_t size() const { return values.size(); }
+  /// Whether the number is no less than the bound.
+  Literal at_least(std::int64_t bound) const;
+  /// Whether it is more than the bound.
+  Literal more_than(std::int64_t bound) const { return at_least(bound + 1); }
+};
+
+Order constant_order(std::int64_t value);
+Order negated(const Order& a);
+/// Times a constant that is not 0.
+Order scaled(const Order& a, std::int64_t factor);
+/// Floor division by a positive constant.
+Order divided(const Order& a, std::int64_t divisor);
+/// Makes as many gates as the product of their sizes has.
+Order sum(Circuit& circuit, const Order& a, const Order& b);
+Order select(Circuit& circuit, Literal condition, const Order& a, const Order& b);
+Order smaller(Circuit& circuit, const Order& a, const Order& b);
+Order larger(Circuit& circuit, const Order& a, const Order& b);
+
+using SharedOrder = std::shared_ptr<const Order>;
+/// a <= b, or a < b.
+Literal less(Circuit& circuit, const SharedOrder& a, const SharedOrder& b, bool or_equal);
+Literal equal(Circuit& circuit, const SharedOrder& a, const SharedOrder& b);
+
+}  // namespace solitaire

@@ -1,0 +1,26 @@
+#pragma once
+#include <functional>
+#include <pthread.h>
+
+namespace solitaire {
+
+/// A thread whose stack is large enough for the deepest recursion that --max-depth allows by default.
+class LargeStackThread {
+ public:
+  /// Exceptions must not leave `work`. Throws std::system_error if no thread can be had.
+  explicit LargeStackThread(std::function<void()> work);
+  /// Waits for the end of the work.
+  ~LargeStackThread();
+  LargeStackThread(const LargeStackThread&) = delete;
+  LargeStackThread& operator=(const LargeStackThread&) = delete;
+
+ private:
+  std::function<void()> work_;
+  pthread_t thread_{};
+};
+
+/// Runs `work` to its end on such a thread, or on this one where no other can be had. Exceptions must not
+/// leave it.
+void run_on_large_stack(const std::function<void()>& work);
+
+}  // namespace solitaire
