@@ -143,7 +143,7 @@ TEST_CASE("uniform: models drawn from cells are alike probable, also on unequal 
     for (const BitModel& model : part.find({}, SIZE_MAX, stop))
       tally[fmt::format("{}", fmt::join(model, ""))] = 0;
     RandomStream random(1, Purpose::kSample, 0);
-    for (std::size_t i = 0; i < 7 * tally.size(); ++i)
+    for (std::size_t i = 0; i < 5 * tally.size(); ++i)
       ++tally[fmt::format("{}", fmt::join(sampler.draw(random, stop), ""))];
     CHECK_FALSE(uneven(tally));
   }

@@ -13,7 +13,7 @@ KINDS = {
     "plain": ("Further different solutions", "CPU milliseconds for each"),
     "diverse": ("Further solutions that differ much",
                 "CPU milliseconds for each, in brackets the mean distance that was reached"),
-    "all": ("All solutions", "CPU seconds"),
+    "all": ("All solutions", "CPU seconds of the whole run"),
 }
 
 
@@ -125,8 +125,8 @@ def peers(systems):
 
 
 def seconds_of(kind, cell):
-    """What a user waits for: of a first solution, the whole run."""
-    return cell.whole_value if kind == "first" else cell.value
+    """What a user waits for: for a first solution, or for all there are, that is the whole run."""
+    return cell.whole_value if kind in ("first", "all") else cell.value
 
 
 def solving_alone(kind, cell):
