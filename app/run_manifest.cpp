@@ -19,6 +19,7 @@ Json options_json(const Options& options) {
     json["n"] = options.count;
   }
   json["distinct"] = options.distinct == Distinct::kResult ? "result" : "choices";
+  if (options.diversity) json["diversity"] = *options.diversity == DiversityLevel::kLow ? "low" : "normal";
   if (options.min_distance > 0) json["min_distance"] = options.min_distance;
   json["explore"] = options.exploration_name();
   json["max_steps"] = options.max_steps;

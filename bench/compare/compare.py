@@ -1,15 +1,17 @@
 #!/usr/bin/python3
 """Compares Solitaire with other solvers on the same problems and writes a report in Markdown."""
 import argparse
+import json
 import re
 import sys
 import time
+from dataclasses import asdict
 from pathlib import Path
 
 import growth
 import report
 import selftest
-from cells import measure_cell
+from cells import Cell, measure_cell
 from paths import ROOT
 from rows import rows
 from systems import all_systems
@@ -25,18 +27,32 @@ def main():
         return selftest.verify(chosen_rows(options), systems, options)
 
     started = time.time()
-    cells = {}
+    cells = kept_cells(options)
     for row in chosen_rows(options):
         for kind in row.kinds:
             for system in systems:
-                say(f"{row.name}: {kind}, {system.name}")
-                cells[row.name, kind, system.name] = measure_cell(row, kind, system, systems[0], options)
+                if (row.name, kind, system.name) not in cells:
+                    say(f"{row.name}: {kind}, {system.name}")
+                    cells[row.name, kind, system.name] = measure_cell(row, kind, system, systems[0], options)
+                    keep(cells, options)
     extras = growth.measure(options) if wanted(growth.NAME, options) else {}
     text = report.write(chosen_rows(options), systems, cells, extras, options, time.time() - started)
-    options.output.parent.mkdir(parents=True, exist_ok=True)
     options.output.write_text(text)
     say(f"written to {options.output}")
     return 0
+
+
+def kept_cells(options):
+    path = options.output.with_suffix(".json")
+    if not options.resume or not path.exists():
+        return {}
+    return {tuple(name): Cell(**cell) for name, cell in json.loads(path.read_text())}
+
+
+def keep(cells, options):
+    options.output.parent.mkdir(parents=True, exist_ok=True)
+    with open(options.output.with_suffix(".json"), "w") as file:
+        json.dump([[name, asdict(cell)] for name, cell in cells.items()], file, indent=1)
 
 
 def chosen_rows(options):
@@ -64,6 +80,8 @@ def read_options():
     parser.add_argument("--only", metavar="REGEX", help="only the rows whose names match")
     parser.add_argument("--systems", metavar="NAME,...", help="only these: solitaire, thesis, gecode, clasp, z3")
     parser.add_argument("--quick", action="store_true", help="few rows, few seeds, short limits: some minutes")
+    parser.add_argument("--resume", action="store_true",
+                        help="takes what an earlier run with the same output left in the .json file beside it as measured")
     parser.add_argument("--verify", action="store_true",
                         help="no times: runs ten solutions of each system and row through Solitaire")
     parser.add_argument("--selftest", action="store_true",
