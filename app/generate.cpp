@@ -188,7 +188,7 @@ void resume(Search& search, Output& output, const Session& session, const Option
 
 ExitStatus generate(const Options& options, Watchdog& watchdog) {
   const Session session(options);
-  Search search(session, options, watchdog);
+  Search search(session, options, watchdog, SceneDetail::kProvenance);
   Output output(session, options);
   if (options.resume) resume(search, output, session, options);
   return search.run(

@@ -21,29 +21,33 @@ double seconds_since(StopSignal::Clock::time_point start) {
   return std::chrono::duration<double>(StopSignal::Clock::now() - start).count();
 }
 
-std::unique_ptr<SolutionSource> source_of(const Session& session, const Options& options) {
+std::unique_ptr<SolutionSource> source_of(const Session& session, const Options& options, SceneDetail scene) {
   const bool distinct_results = options.distinct == Distinct::kResult;
+  TracingOptions tracing = session.tracing_options();
+  tracing.scene = scene;
   if (options.sampling == Sampling::kUniform) {
-    return std::make_unique<UniformSeries>(session.program(), session.params(), session.tracing_options(),
-                                           distinct_results);
+    return std::make_unique<UniformSeries>(session.program(), session.params(), tracing, distinct_results);
   }
   SeriesOptions series;
   series.distinct_results = distinct_results;
   if (!options.all) series.most = options.count;
   if (options.jobs > 1 && series.most != 1) series.workers = session.own_programs(options.jobs);
-  return std::make_unique<Series>(session.program(), session.params(), session.tracing_options(),
-                                  std::move(series));
+  return std::make_unique<Series>(session.program(), session.params(), tracing, std::move(series));
 }
 
 }  // namespace
 
-Search::Search(const Session& session, const Options& options, Watchdog& watchdog)
-    : session_(session), options_(options), watchdog_(watchdog), series_(source_of(session, options)) {}
+Search::Search(const Session& session, const Options& options, Watchdog& watchdog, SceneDetail scene)
+    : session_(session),
+      options_(options),
+      watchdog_(watchdog),
+      scene_(scene),
+      series_(source_of(session, options, scene)) {}
 
 void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen) {
   for (const Solution& solution : series_->resume(earlier)) {
     seen(++solutions_, solution);
-    diversity_.add(solution);
+    note_diversity(solution);
   }
   resumed_ = solutions_;
 }
@@ -121,7 +125,11 @@ void Search::deliver(const Solution& solution, const Found& found, Progress& pro
   for (const std::string& line : solution.execution.printed) progress.say(line);
   found(solutions_ + 1, solution);
   ++solutions_;
-  diversity_.add(solution);
+  note_diversity(solution);
+}
+
+void Search::note_diversity(const Solution& solution) {
+  if (scene_ != SceneDetail::kNone) diversity_.add(solution);
 }
 
 std::optional<Solution> Search::next(Progress& progress) {

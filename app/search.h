@@ -23,7 +23,8 @@ class Search {
   /// Told why there is no further solution; nothing if an error came.
   using Close = std::function<void(std::optional<Ending> ending)>;
 
-  Search(const Session& session, const Options& options, Watchdog& watchdog);
+  /// Without any detail of the scene it is not known, either, how much solutions differ.
+  Search(const Session& session, const Options& options, Watchdog& watchdog, SceneDetail scene);
   ExitStatus run(
       const Found& found, const Close& close = [](std::optional<Ending>) {});
 
@@ -38,6 +39,7 @@ class Search {
   Ending deliver_all(const Found& found, Progress& progress);
   std::optional<Solution> next(Progress& progress);
   void deliver(const Solution& solution, const Found& found, Progress& progress);
+  void note_diversity(const Solution& solution);
   ExitStatus finish(Ending ending, const Close& close) const;
   ExitStatus status(Ending ending) const;
   void summarize(Ending ending) const;
@@ -48,6 +50,7 @@ class Search {
   const Session& session_;
   const Options& options_;
   Watchdog& watchdog_;
+  SceneDetail scene_;
   std::unique_ptr<SolutionSource> series_;
   std::uint64_t resumed_ = 0;            // solutions of earlier runs
   std::uint64_t solutions_ = 0;          // with those of earlier runs; changes only while delivering

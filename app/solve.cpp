@@ -27,7 +27,8 @@ std::string as_text(std::uint64_t number, const Solution& solution, const Source
 
 ExitStatus solve(const Options& options, Watchdog& watchdog) {
   const Session session(options);
-  Search search(session, options, watchdog);
+  const bool needs_looks = !options.quiet || options.distinct == Distinct::kResult;
+  Search search(session, options, watchdog, needs_looks ? SceneDetail::kPlacements : SceneDetail::kNone);
   const auto shown = options.json ? solution_line : as_text;
   return search.run([&](std::uint64_t number, const Solution& solution) {
     print_result(shown(number, solution, session.program().sources));

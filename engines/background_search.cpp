@@ -3,8 +3,10 @@
 namespace solitaire {
 namespace {
 
-TracingOptions stopping_at(TracingOptions options, const StopSignal& stop) {
+/// Whoever gets the choices of a solution runs them for the rest.
+TracingOptions choices_only(TracingOptions options, const StopSignal& stop) {
   options.limits.stop = &stop;
+  options.scene = SceneDetail::kNone;
   return options;
 }
 
@@ -13,7 +15,7 @@ TracingOptions stopping_at(TracingOptions options, const StopSignal& stop) {
 BackgroundSearch::BackgroundSearch(std::shared_ptr<const OwnProgram> program, const TracingOptions& options,
                                    std::uint64_t first, std::vector<KnownChoices> known, std::size_t wanted)
     : program_(std::move(program)),
-      options_(stopping_at(options, stop_)),
+      options_(choices_only(options, stop_)),
       whole_(options.limits.stop),
       stop_(whole_),
       first_(first),

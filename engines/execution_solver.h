@@ -28,12 +28,20 @@ constexpr Backend exact_backend(Backend backend) {
   return backend == Backend::kThesis ? Backend::kCadical : backend;
 }
 
+/// What is to be known of the things that a solution places into the scene.
+enum class SceneDetail : std::uint8_t {
+  kNone,        // nothing
+  kPlacements,  // what they are, and where
+  kProvenance,  // and the choices on which that depends
+};
+
 struct TracingOptions {
   Exploration exploration;
   Backend backend = Backend::kCadical;
   std::uint64_t seed = 0;
-  bool diverse = true;  // solutions that differ much, at some cost in speed
-  bool relax = false;   // asserts may be broken, as few as possible
+  bool diverse = true;                           // solutions that differ much, at some cost in speed
+  SceneDetail scene = SceneDetail::kProvenance;  // of solutions
+  bool relax = false;                            // asserts may be broken, as few as possible
   /// Seconds from the start of the search for a solution after which it is no longer made better.
   std::optional<double> improvement_time;
   std::vector<Pin> pins;

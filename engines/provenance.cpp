@@ -7,11 +7,6 @@
 
 namespace solitaire {
 
-void TracingEngine::add_provenance(Solution& solution) {
-  add_object_choices(solution);
-  add_broken_choices(solution);
-}
-
 void TracingEngine::add_object_choices(Solution& solution) {
   std::unordered_map<std::string, Placement*> placements;
   for (Placement& placement : solution.execution.placements)

@@ -1,13 +1,16 @@
 #include "engines/tracing.h"
 
 #include <algorithm>
+#include <bit>
 #include <fmt/format.h>
 #include <utility>
 
 #include "engines/all_different.h"
+#include "engines/distinct.h"
 #include "engines/met_choices.h"
 #include "engines/objective.h"
 #include "engines/wide_trace.h"
+#include "solitaire/trace_reading.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
@@ -73,6 +76,10 @@ NodeId checked_objective(Graph& graph, const Trace& trace, bool relax) {
     throw ProgramError(
         Diagnostic{trace.wishes.front().span, "the cost of all wishes can grow past 62 bits", "", {}});
   }
+}
+
+bool is_power_of_16(std::uint64_t number) {
+  return std::has_single_bit(number) && std::countr_zero(number) % 4 == 0;
 }
 
 std::size_t count_broken(const Execution& execution) {
@@ -245,7 +252,7 @@ std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::in
     const Answers answers = solver_.answers(assignment);
     try {
       if (require_distance(answers)) continue;
-      Found found = take_solution(assignment, answers);
+      Found found = take_solution(assignment);
       if (!most || found.rank <= *most || solver_.exact()) return found;
       ending_ = Ending::kWrapped;
       return std::nullopt;
@@ -438,67 +445,124 @@ Execution TracingEngine::replay(const Answers& answers) {
   return execute(program_, params_, choices, addresses_, limits_);
 }
 
+/// What the trace says of an execution.
+std::optional<Execution> TracingEngine::read(Assignment& assignment) {
+  if (options_.relax || options_.backend == Backend::kThesis) return std::nullopt;
+  const Stopwatch watch(solver_.times().replay);
+  return read_execution(program_, solver_.pass(), addresses_, assignment,
+                        options_.scene != SceneDetail::kNone);
+}
+
+/// Nobody should believe what is never looked at: the program is run, too, now and then.
+void TracingEngine::check_reading(const Execution& read, Assignment& assignment) {
+  if (!is_power_of_16(++read_)) return;
+  const Execution run = replay(solver_.answers(assignment));
+  const auto same_choice = [](const MetChoice& a, const MetChoice& b) {
+    return a.address == b.address && a.value == b.value;
+  };
+  const bool alike = !run.rejection && std::ranges::equal(read.choices, run.choices, same_choice) &&
+                     read.cost == run.cost && to_json(read.value) == to_json(run.value) &&
+                     (options_.scene == SceneDetail::kNone || looks_of(read) == looks_of(run));
+  if (!alike) throw InternalError("a solution is not what the trace says of it");
+}
+
 /// Throws InternalError if the model is not an execution.
-TracingEngine::Found TracingEngine::take_solution(Assignment& assignment, const Answers& answers) {
+TracingEngine::Found TracingEngine::take_solution(Assignment& assignment) {
   Found found;
   Solution& solution = found.solution;
-  solution.execution = replay(answers);
-  if (const auto& rejection = solution.execution.rejection) {
-    throw InternalError(
-        fmt::format("a model fails in its replay at {}", program_.sources.place(rejection->span)));
+  if (std::optional<Execution> execution = read(assignment)) {
+    check_reading(*execution, assignment);
+    solution.execution = std::move(*execution);
+  } else {
+    const Answers answers = solver_.answers(assignment);
+    solution.execution = replay(answers);
+    if (const auto& rejection = solution.execution.rejection) {
+      throw InternalError(
+          fmt::format("a model fails in its replay at {}", program_.sources.place(rejection->span)));
+    }
+    if (solution.execution.choices.size() != answers.size()) {
+      throw InternalError(fmt::format("a model has {} choices, its replay {}", answers.size(),
+                                      solution.execution.choices.size()));
+    }
   }
   solution.choices = solution.execution.choices;
-  if (solution.choices.size() != answers.size()) {
-    throw InternalError(
-        fmt::format("a model has {} choices, its replay {}", answers.size(), solution.choices.size()));
-  }
   found.rank = assignment.value(objective_)->i;
   complete(solution);
-  add_provenance(solution);
   return found;
 }
 
-void TracingEngine::complete(Solution& solution) const {
+void TracingEngine::complete(Solution& solution) {
   solution.answers = readable(solution.choices, addresses_);
   const Execution& execution = solution.execution;
   if (options_.relax || !solver_.trace().wishes.empty())
     solution.quality = Quality{count_broken(execution), execution.cost};
+  if (options_.scene == SceneDetail::kProvenance) add_object_choices(solution);
+  add_broken_choices(solution);
 }
 
 void TracingEngine::exclude(const KnownChoices& choices) {
-  Known known;
-  for (const AnsweredChoice& choice : choices)
-    known.values.emplace(addresses_.address(choice.address), choice.value);
-  known_.push_back(std::move(known));
+  known_.push_back({values_of(choices), {}});
   if (met_pass_ > 0) exclude_known(known_.back());
 }
 
 void TracingEngine::keep_away_from(const KnownChoices& choices) {
   if (!options_.min_distance.any()) return;
-  KeptAway kept;
+  kept_away_.push_back({values_of(choices)});
+}
+
+ChoiceValues TracingEngine::values_of(const KnownChoices& choices) {
+  ChoiceValues values;
   for (const AnsweredChoice& choice : choices)
-    kept.values.emplace(addresses_.address(choice.address), choice.value);
-  kept_away_.push_back(std::move(kept));
+    values.emplace(addresses_.address(choice.address), choice.value);
+  return values;
+}
+
+/// Whether the values are `possible` for the graph's choices is known once it has been asked for all of them.
+Assignment TracingEngine::assignment_of(const ChoiceValues& values, bool& possible) const {
+  return {graph_, [this, &values, &possible](std::size_t number) {
+            const ChoiceVariable& variable = graph_.variables()[number];
+            const auto value = values.find(variable.address);
+            if (value == values.end()) return variable.domain.lo;
+            possible = possible && variable.domain.contains(value->second);
+            return value->second;
+          }};
 }
 
 Solution TracingEngine::run(const KnownChoices& choices) {
   solver_.explore();
-  WrittenChoices written(choices, addresses_);
   Solution solution;
-  solution.execution = execute(program_, params_, written, addresses_, limits_);
+  if (std::optional<Execution> execution = read(choices)) {
+    solution.execution = std::move(*execution);
+  } else {
+    WrittenChoices written(choices, addresses_);
+    solution.execution = execute(program_, params_, written, addresses_, limits_);
+  }
   if (solution.execution.rejection) throw NotASolution("a condition of the program does not hold");
   if (solution.execution.choices.size() != choices.size())
     throw NotASolution("it has choices that the program does not have");
   solution.choices = solution.execution.choices;
   complete(solution);
-  add_provenance(solution);
   return solution;
 }
 
-Solution TracingEngine::run(Assignment assignment) {
-  const Answers answers = solver_.answers(assignment);
-  return take_solution(assignment, answers).solution;
+/// Nothing, too, where the choices are not those that the execution meets.
+std::optional<Execution> TracingEngine::read(const KnownChoices& choices) {
+  const ChoiceValues values = values_of(choices);
+  bool possible = true;
+  Assignment assignment = assignment_of(values, possible);
+  std::optional<Execution> execution = read(assignment);
+  const auto known = [&](const MetChoice& choice) {
+    const auto value = values.find(choice.address);
+    return value != values.end() && value->second == choice.value;
+  };
+  if (!possible || !execution || execution->choices.size() != choices.size() ||
+      !std::ranges::all_of(execution->choices, known))
+    return std::nullopt;
+  check_reading(*execution, assignment);
+  return execution;
 }
+
+Solution TracingEngine::run(Assignment assignment) { return take_solution(assignment).solution; }
 
 std::vector<NodeId> TracingEngine::formula() {
   if (enumerator_) {
@@ -545,11 +609,8 @@ std::vector<NodeId> TracingEngine::differing(const Answers& answers) {
 /// ends depend on other choices grows with the paths that are open.
 void TracingEngine::exclude_known(Known& known) {
   const Stopwatch watch(solver_.times().encode);
-  Assignment assignment(graph_, [&](std::size_t number) {
-    const ChoiceVariable& variable = graph_.variables()[number];
-    const auto value = known.values.find(variable.address);
-    return value == known.values.end() ? variable.domain.lo : value->second;
-  });
+  bool possible = true;
+  Assignment assignment = assignment_of(known.values, possible);
   bool explored = false;
   const Answers answers = solver_.answers(assignment, &explored);
   if (!explored) return;  // it cannot be found yet

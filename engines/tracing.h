@@ -97,10 +97,14 @@ class TracingEngine : public Engine {
   bool can_enumerate() const;
   std::unique_ptr<Enumerator> make_enumerator();
   std::optional<Solution> next_enumerated();
-  Found take_solution(Assignment& assignment, const Answers& answers);
+  Found take_solution(Assignment& assignment);
+  std::optional<Execution> read(Assignment& assignment);
+  std::optional<Execution> read(const KnownChoices& choices);
+  ChoiceValues values_of(const KnownChoices& choices);
+  Assignment assignment_of(const ChoiceValues& values, bool& possible) const;
+  void check_reading(const Execution& read, Assignment& assignment);
   Execution replay(const Answers& answers);
-  void complete(Solution& solution) const;
-  void add_provenance(Solution& solution);
+  void complete(Solution& solution);
   void add_object_choices(Solution& solution);
   void add_broken_choices(Solution& solution);
   std::set<std::string> choices_below(const TraceAssert& part);
@@ -128,7 +132,8 @@ class TracingEngine : public Engine {
   bool may_enumerate_;
   std::vector<Known> known_;
   std::vector<KeptAway> kept_away_;
-  std::uint64_t number_;  // of the next solution, which its random values depend on
+  std::uint64_t read_ = 0;  // solutions that were not run
+  std::uint64_t number_;    // of the next solution, which its random values depend on
 };
 
 }  // namespace solitaire

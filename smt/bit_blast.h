@@ -31,10 +31,14 @@ class BitBlaster {
   /// variables.
   void add_alternatives(NodeId condition, std::vector<Literal>& literals);
 
+  /// One more than the number of the last choice variable that a condition has met.
+  std::size_t choices() const { return choices_.size(); }
   /// The inputs that stand for a choice variable; none if no condition has met it.
   std::span<const Literal> choice_inputs(std::size_t variable) const;
   /// The same, of one that is met now if none was before.
   std::span<const Literal> add_choice(std::size_t variable) { return choice(variable).inputs; }
+  /// Whether the inputs say which of its values the choice reaches, ascending; else they are bits.
+  bool is_ordered(std::size_t variable) const { return choices_[variable].order.has_value(); }
   /// Whether an input of the choice holds where it has the value.
   bool input_at(std::size_t variable, std::size_t input, std::int64_t value) const;
   /// The value of a choice from those of its inputs.

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cadical.hpp>
 #include <climits>
-#include <optional>
+#include <utility>
 
 #include "smt/bit_blast.h"
+#include "smt/random_search.h"
 
 namespace solitaire {
 namespace {
@@ -16,6 +17,9 @@ constexpr int kUnsatisfied = 20;
 
 /// A search that takes suggested values first, whatever it learns, can take forever where things stand close.
 constexpr int kConflictsFollowing = 300;
+
+/// How many dead ends a search at random may meet. After one that fails, the next may meet fewer.
+constexpr std::uint64_t kDeadEnds = 64;
 
 /// CaDiCaL asks all the time, so the clock is looked at only now and then.
 class Stop : public CaDiCaL::Terminator {
@@ -36,7 +40,11 @@ class Stop : public CaDiCaL::Terminator {
 class CadicalSolver : public Solver, private ClauseSink {
  public:
   CadicalSolver(const Graph& graph, const CadicalOptions& options)
-      : graph_(graph), cnf_(circuit_, *this), blaster_(graph, circuit_, cnf_) {
+      : graph_(graph),
+        options_(options),
+        cnf_(circuit_, *this),
+        blaster_(graph, circuit_, cnf_),
+        random_search_(propagator_, cnf_, blaster_, options.seed) {
     solver_.set("quiet", 1);
     solver_.set("seed", static_cast<int>(options.seed % 2'000'000'000));
     // Tried first, it would find the same solution whatever the seed and the suggestions.
@@ -64,11 +72,12 @@ class CadicalSolver : public Solver, private ClauseSink {
     for (const NodeId assumption : assumptions) {
       assumed.push_back(cnf_.assumable(blaster_.condition(assumption)));
     }
-    apply_suggestions();
     if (signal.stopped()) return Verdict::kStopped;
+    if (search_at_random(assumed)) return Verdict::kSatisfiable;
+    tell_cadical();
     switch (solve(signal, assumed)) {
       case kSatisfied:
-        take_model();
+        take_model([this](int variable) { return solver_.val(variable) > 0; });
         return Verdict::kSatisfiable;
       case kUnsatisfied:
         take_core(assumptions, assumed);
@@ -83,10 +92,9 @@ class CadicalSolver : public Solver, private ClauseSink {
   }
 
   bool suggest(std::size_t variable, std::int64_t value) override {
-    if (suggestions_.size() <= variable) suggestions_.resize(variable + 1);
-    suggestions_[variable] = value;
-    suggested_.push_back(variable);
-    return true;
+    if (!options_.diverse) return false;
+    random_search_.suggest(variable, value);
+    return has_suggestions_ = true;
   }
 
   std::int64_t value(std::size_t variable) override {
@@ -98,8 +106,27 @@ class CadicalSolver : public Solver, private ClauseSink {
 
  private:
   void clause(std::span<const int> literals) override {
-    for (const int literal : literals) solver_.add(literal);
-    solver_.add(0);
+    if (options_.diverse) propagator_.clause(literals);
+    untold_.insert(untold_.end(), literals.begin(), literals.end());
+    untold_.push_back(0);
+  }
+
+  /// Whether a model was found without CaDiCaL.
+  bool search_at_random(std::span<const int> assumed) {
+    if (!has_suggestions_) return false;
+    const bool found = random_search_.find(assumed, dead_ends_);
+    if (found) take_model([this](int variable) { return propagator_.value(variable) > 0; });
+    random_search_.end();
+    if (!found) dead_ends_ /= 4;
+    return found;
+  }
+
+  void tell_cadical() {
+    for (const int literal : untold_) solver_.add(literal);
+    untold_.clear();
+    if (!std::exchange(has_suggestions_, false)) return;
+    following_ = random_search_.wanted();
+    for (const int literal : following_) solver_.phase(literal);
   }
 
   int solve(const StopSignal& signal, const std::vector<int>& assumed) {
@@ -108,7 +135,7 @@ class CadicalSolver : public Solver, private ClauseSink {
     int status = 0;
     if (!following_.empty()) {
       status = solve_within(kConflictsFollowing, assumed);
-      for (const int variable : following_) solver_.unphase(variable);
+      for (const int literal : following_) solver_.unphase(literal);
       following_.clear();
     }
     if (status == 0 && !signal.stopped()) status = solve_within(effort_, assumed);
@@ -122,26 +149,14 @@ class CadicalSolver : public Solver, private ClauseSink {
     return solver_.solve();
   }
 
-  /// Suggestions for choices that no condition has met yet wait.
-  void apply_suggestions() {
-    std::vector<std::size_t> waiting;
-    for (const std::size_t variable : suggested_) {
-      const std::span<const Literal> inputs = blaster_.choice_inputs(variable);
-      if (inputs.empty()) waiting.push_back(variable);
-      for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (is_constant(inputs[i])) continue;
-        const int number = cnf_.variable(inputs[i]);
-        following_.push_back(number);
-        solver_.phase(blaster_.input_at(variable, i, *suggestions_[variable]) ? number : -number);
-      }
-    }
-    suggested_ = std::move(waiting);
-  }
-
-  /// CaDiCaL forgets its model with the next clause.
-  void take_model() {
+  /// `value`: of a variable of the clauses.
+  template <class Value>
+  void take_model(Value value) {
     model_.resize(graph_.variables().size());
-    const auto holds = [this](Literal input) { return this->holds(input); };
+    const auto holds = [&](Literal input) {
+      const int number = is_constant(input) ? 0 : cnf_.known_variable(input);
+      return number != 0 ? value(number) : input == kTrueLiteral;
+    };
     for (std::size_t i = 0; i < model_.size(); ++i) {
       model_[i] = blaster_.choice_inputs(i).empty() ? free_value(i) : blaster_.decode(i, holds);
     }
@@ -149,13 +164,7 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   /// Of a choice on which no condition depends, so that any of its values will do.
   std::int64_t free_value(std::size_t variable) const {
-    const std::int64_t lowest = graph_.variables()[variable].domain.lo;
-    return variable < suggestions_.size() ? suggestions_[variable].value_or(lowest) : lowest;
-  }
-
-  bool holds(Literal input) {
-    const int number = is_constant(input) ? 0 : cnf_.known_variable(input);
-    return number != 0 ? solver_.val(number) > 0 : input == kTrueLiteral;
+    return random_search_.suggestion(variable).value_or(graph_.variables()[variable].domain.lo);
   }
 
   void take_core(std::span<const NodeId> assumptions, const std::vector<int>& assumed) {
@@ -166,16 +175,20 @@ class CadicalSolver : public Solver, private ClauseSink {
   }
 
   const Graph& graph_;
+  const CadicalOptions options_;
   CaDiCaL::Solver solver_;
+  Propagator propagator_;
   Circuit circuit_;
   Cnf cnf_;
   BitBlaster blaster_;
-  std::vector<std::optional<std::int64_t>> suggestions_;  // by variable
-  std::vector<std::size_t> suggested_;  // variables whose suggestions CaDiCaL does not know yet
-  std::vector<std::int64_t> model_;     // by variable
+  RandomSearch random_search_;
+  std::uint64_t dead_ends_ = kDeadEnds;  // that the next search at random may meet
+  bool has_suggestions_ = false;         // that CaDiCaL does not know yet
+  std::vector<int> untold_;              // clauses that CaDiCaL does not know yet, each ended by 0
+  std::vector<int> following_;           // literals that CaDiCaL tries first
+  std::vector<std::int64_t> model_;      // by variable
   std::vector<NodeId> core_;
   int effort_ = 0;
-  std::vector<int> following_;  // variables that take suggested values first
 };
 
 }  // namespace

@@ -7,7 +7,8 @@ namespace solitaire {
 
 struct CadicalOptions {
   std::uint64_t seed = 0;
-  bool diverse = false;  // many models far from each other, and not a proof, are what is looked for
+  /// Many models far from each other, and not a proof, are what is looked for. Else it takes no suggestions.
+  bool diverse = false;
 };
 
 /// The fast back end: CaDiCaL on the clauses that cnf.h writes of the circuits of bit_blast.h. The same calls

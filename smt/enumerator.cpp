@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "smt/bit_blast.h"
-#include "smt/propagator.h"
+#include "smt/choice_search.h"
 
 namespace solitaire {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::uint64_t kMostDeadEnds = 50'000;
 class Enumerator::Search {
  public:
   Search(const Graph& graph, std::span<const NodeId> conditions, std::span<const std::size_t> choices)
-      : cnf_(circuit_, propagator_), blaster_(graph, circuit_, cnf_) {
+      : search_(propagator_), cnf_(circuit_, propagator_), blaster_(graph, circuit_, cnf_) {
     for (const NodeId condition : conditions) {
       const Literal holds = blaster_.condition(condition);
       cnf_.add_clause({&holds, 1});
@@ -27,7 +27,7 @@ class Enumerator::Search {
   Outcome next(const StopSignal& stop) {
     if (over_ != Outcome::kFound) return over_;
     if (stop.stopped()) return over_ = Outcome::kStopped;
-    if (at_model_ && !turn_back()) return over_ = Outcome::kNone;
+    if (at_model_ && !search_.turn_back()) return over_ = Outcome::kNone;
     at_model_ = false;
     std::uint64_t dead_ends = 0;
     while (true) {
@@ -41,7 +41,7 @@ class Enumerator::Search {
       } else {
         if (++dead_ends % 256 == 0 && stop.stopped()) return over_ = Outcome::kStopped;
         if (dead_ends > kMostDeadEnds) return over_ = Outcome::kTooHard;
-        if (!turn_back()) return over_ = Outcome::kNone;
+        if (!search_.turn_back()) return over_ = Outcome::kNone;
       }
     }
   }
@@ -55,41 +55,27 @@ class Enumerator::Search {
 
  private:
   void add_choice(std::size_t variable) {
-    std::vector<int>& inputs = choices_.emplace_back();
+    std::vector<int> inputs;
     for (const Literal input : blaster_.add_choice(variable)) {
-      if (is_constant(input)) continue;
-      inputs.push_back(cnf_.variable(input));
-      propagator_.reserve(inputs.back());
+      if (!is_constant(input)) inputs.push_back(cnf_.variable(input));
     }
+    search_.add(std::move(inputs));
   }
 
-  /// Turns the last decision round; false if there is none left.
-  bool turn_back() {
-    if (propagator_.decisions() == 0) return false;
-    propagator_.assign(-propagator_.undo());
-    return true;
-  }
-
-  /// That the choice with the fewest values left takes the lowest of them; 0 if all are decided.
+  /// That a choice takes the lowest of its values; 0 if all are decided.
   int next_decision() const {
-    std::ptrdiff_t fewest = PTRDIFF_MAX;
-    int decision = 0;
-    for (const std::vector<int>& inputs : choices_) {
-      const auto open = [this](int input) { return propagator_.is_open(input); };
-      const std::ptrdiff_t count = std::count_if(inputs.begin(), inputs.end(), open);
-      if (count == 0 || count >= fewest) continue;
-      fewest = count;
-      decision = -*std::find_if(inputs.begin(), inputs.end(), open);
-    }
-    return decision;
+    const auto choice = search_.first_fail();
+    if (!choice) return 0;
+    const auto inputs = search_.inputs(*choice);
+    return -*std::ranges::find_if(inputs, [this](int input) { return propagator_.is_open(input); });
   }
 
   Circuit circuit_;
   Propagator propagator_;
+  ChoiceSearch search_;
   Cnf cnf_;
   BitBlaster blaster_;
-  std::vector<std::vector<int>> choices_;  // the variables of each one's inputs
-  Outcome over_ = Outcome::kFound;         // until it is
+  Outcome over_ = Outcome::kFound;  // until it is
   bool at_model_ = false;
 };
 

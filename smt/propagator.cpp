@@ -14,11 +14,21 @@ void Propagator::reserve(int variable) {
 
 void Propagator::clause(std::span<const int> literals) {
   for (const int literal : literals) reserve(std::abs(literal));
+  if (trail_.empty()) return add(literals);
+  std::vector<int> open;
+  for (const int literal : literals) {
+    if (value(literal) > 0) return;
+    if (is_open(literal)) open.push_back(literal);
+  }
+  add(open);
+}
+
+/// Of open literals.
+void Propagator::add(std::span<const int> literals) {
   if (literals.empty()) {
     broken_ = true;
   } else if (literals.size() == 1) {
-    if (value(literals[0]) < 0) broken_ = true;
-    if (is_open(literals[0])) assign(literals[0]);
+    assign(literals[0]);
   } else if (literals.size() == 2) {
     implied_[index(literals[0])].push_back(literals[1]);
     implied_[index(literals[1])].push_back(literals[0]);

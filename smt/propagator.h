@@ -10,7 +10,7 @@ namespace solitaire {
 /// watched literals). Literals are those of ClauseSink.
 class Propagator : public ClauseSink {
  public:
-  /// Before the first decision only.
+  /// While nothing is decided only.
   void clause(std::span<const int> literals) override;
 
   /// -1 false, 1 true, 0 open.
@@ -40,6 +40,7 @@ class Propagator : public ClauseSink {
   static std::size_t index(int literal) {
     return literal > 0 ? 2 * static_cast<std::size_t>(literal) : 2 * static_cast<std::size_t>(-literal) + 1;
   }
+  void add(std::span<const int> literals);
   bool visit_clauses(int falsified);
   bool visit(Watch& watch, int falsified, bool* moved);
 

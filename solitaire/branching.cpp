@@ -253,7 +253,8 @@ void Evaluator::mistake(Span span, const std::string& message, const std::string
 void Evaluator::mistake_if(const Value& wrong, Span span, const std::string& message,
                            const std::string& help) {
   const NodeId condition = settle(this->condition(wrong, span));
-  if (condition == kFalse || graph_.node(condition).has_float) return;
+  if (condition == kFalse) return;
+  if (graph_.node(condition).has_float) return leave_to_run();
   if (condition == kTrue) mistake(span, message, help);
   const std::array guards = {condition, graph_.negation(condition)};
   Value none;

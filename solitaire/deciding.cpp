@@ -5,14 +5,6 @@
 
 namespace solitaire {
 
-namespace {
-
-bool holds(const ChoiceDomain& domain, std::int64_t value) {
-  return value >= domain.lo && value <= domain.hi && (value - domain.lo) % domain.step == 0;
-}
-
-}  // namespace
-
 AddressId Evaluator::activation_address(Activation& activation) {
   if (!activation.has_address) {
     const AddressId caller = activation_address(*activation.caller);
@@ -76,7 +68,7 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   if (answer) execution_.choices.push_back({address, domain, *answer});
   if (symbolic()) recorder_->add(TraceChoice{path_.guard(), variable, address, domain, site.span});
   const bool known = fixed && known_step != nullptr;
-  if (known && answer && holds(domain, *answer)) return *answer;  // as in nearly every execution
+  if (known && answer && domain.contains(*answer)) return *answer;  // as in nearly every execution
   if (!of_list && (!known || answer || possible != domain)) {
     const NodeId first = node_of(graph_, lo);
     require(graph_.apply(Op::kLeInt, {first, variable}), Requirement::kLowEnd, site.span, "", address);
@@ -105,22 +97,26 @@ void Evaluator::wish(const Value& cost, const CallExpr& site) {
   if (!is_exact(execution_.cost)) mistake(site.span, "the cost of all wishes grows past 62 bits");
 }
 
-void Evaluator::place(Placement placement, const CallExpr& site, std::span<const Value> depends) {
-  const AddressId address = address_of(site.site.label);
-  if (symbolic()) {
-    TracePlaced placed{path_.guard(), address, site.span, {}};
-    for (const Value& value : depends) collect_nodes(value, placed.depends);
-    recorder_->add(std::move(placed));
-    return;
-  }
+void Evaluator::place(Placement placement, const BuiltinCall& call) {
+  const AddressId address = address_of(call.site.site.label);
   placement.address = text(address);
   placement.calls = call_names();
-  const Source& source = program_.sources[site.span.source];
-  const Position at = source.position(site.span.begin);
+  const Source& source = program_.sources[call.site.span.source];
+  const Position at = source.position(call.site.span.begin);
   // Without the folder, so that files do not depend on where the program stands.
   placement.source =
       fmt::format("{}:{}:{}", std::filesystem::path(source.name()).filename().string(), at.line, at.column);
-  execution_.placements.push_back(std::move(placement));
+  if (!symbolic()) {
+    execution_.placements.push_back(std::move(placement));
+    return;
+  }
+  TracePlaced placed{path_.guard(), address, call.site.span, {}, placements_.size()};
+  for (const Value& value : call.arguments) collect_nodes(value, placed.depends);
+  recorder_->add(std::move(placed));
+  placements_.push_back({std::move(placement),
+                         &call.site,
+                         {call.arguments.begin(), call.arguments.end()},
+                         {call.extras.begin(), call.extras.end()}});
 }
 
 }  // namespace solitaire

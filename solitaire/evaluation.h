@@ -17,6 +17,9 @@
 
 namespace solitaire {
 
+/// Whether a builtin was called with that argument.
+inline bool given(const Value& argument) { return !argument.is<Value::Unset>(); }
+
 /// Paths that left a construct early, merged into one state: by return, break or continue, or a loop's end.
 struct Exits {
   bool any = false;
@@ -59,7 +62,8 @@ class Evaluator {
   /// Runs the script; the value is Unset if no path comes to its end.
   Value run(std::uint32_t levels = 0);
   Execution take_execution() { return std::move(execution_); }
-  std::uint64_t total_steps() const { return total_steps_; }
+  /// What a symbolic pass found, but for its trace and value.
+  SymbolicPass take_pass();
 
   // ---- branching.cpp: paths, what rules executions out, and mistakes
 
@@ -83,6 +87,10 @@ class Evaluator {
   void mistake_if(const Value& wrong, Span span, const std::string& message, const std::string& help = "");
   /// The program may be right here, but a symbolic pass cannot go on.
   [[noreturn]] void beyond_engine(Span span, const std::string& message, const std::string& help = "");
+  /// What happens here shows only when an execution is run.
+  void leave_to_run() { says_all_ = false; }
+  /// Whether only some executions come here.
+  bool guarded() const { return path_.guarded(); }
   /// graph().apply, with what it throws turned into mistakes.
   NodeId apply(Op op, std::initializer_list<NodeId> operands, Span span);
   /// A wish of the program: executions that come here cost so much.
@@ -112,7 +120,7 @@ class Evaluator {
   /// The address of a site of the running function, in the current turns of its loops.
   AddressId address_of(std::string_view label);
   Value decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step, ChoiceKind kind);
-  void place(Placement placement, const CallExpr& site, std::span<const Value> depends);
+  void place(Placement placement, const BuiltinCall& call);
   Execution& execution() { return execution_; }
   std::string text(AddressId address) const { return addresses_.text(address); }
   const SourceSet& sources() const { return program_.sources; }
@@ -291,6 +299,8 @@ class Evaluator {
   std::vector<Ref<Frame>> module_frames_;
   std::vector<bool> module_done_;
   Execution execution_;
+  std::vector<SymbolicPlacement> placements_;
+  bool says_all_ = true;
 
   std::unordered_map<AddressId, std::vector<std::unique_ptr<Summary>>> summaries_;
   std::vector<Segment*> segments_;

@@ -64,6 +64,15 @@ Value Evaluator::run(std::uint32_t levels) {
   }
 }
 
+SymbolicPass Evaluator::take_pass() {
+  SymbolicPass pass;
+  pass.placements = std::move(placements_);
+  pass.unit = execution_.unit;
+  pass.says_all = says_all_;
+  pass.steps = total_steps_;
+  return pass;
+}
+
 Value Evaluator::run_module(std::uint32_t module) {
   module_done_[module] = true;
   Activation activation;
@@ -96,9 +105,9 @@ SymbolicPass trace(const Program& program, const ParamValues& params, Choices& c
                    std::uint32_t levels, Graph& graph, AddressTable& addresses, const Limits& limits) {
   TraceRecorder recorder;
   Evaluator evaluator(program, params, choices, &branches, graph, addresses, &recorder, limits);
-  SymbolicPass pass;
-  pass.value = evaluator.run(levels);
-  pass.steps = evaluator.total_steps();
+  Value value = evaluator.run(levels);
+  SymbolicPass pass = evaluator.take_pass();
+  pass.value = std::move(value);
   pass.trace = recorder.finish(graph);
   collect_nodes(pass.value, pass.trace.returned);
   return pass;

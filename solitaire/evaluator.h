@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "solitaire/builtin.h"
 #include "solitaire/choices.h"
 #include "solitaire/execution.h"
 #include "solitaire/program.h"
@@ -79,10 +80,23 @@ using ParamValues = std::map<std::string, Value>;
 Execution execute(const Program& program, const ParamValues& params, Choices& choices,
                   AddressTable& addresses, const Limits& limits, Branches* observer = nullptr);
 
+/// A call of place() in a symbolic pass: what it was called with, and of the placement what never depends on
+/// choices.
+struct SymbolicPlacement {
+  Placement placement;
+  const CallExpr* site = nullptr;
+  std::vector<Value> arguments;                            // as of a BuiltinCall
+  std::vector<std::pair<std::string_view, Value>> extras;  // likewise
+};
+
 /// What one symbolic pass found.
 struct SymbolicPass {
   Trace trace;
-  Value value;              // of the program, where some path came to its end; else Unset
+  Value value;                                // of the program, where some path came to its end; else Unset
+  std::vector<SymbolicPlacement> placements;  // as numbered by Trace::placed
+  double unit = 1;                            // as of an Execution
+  /// Whether all that an execution does can be read off the pass; else some of it only shows when it is run.
+  bool says_all = true;
   std::uint64_t steps = 0;  // evaluated in all
 };
 

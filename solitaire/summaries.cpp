@@ -16,6 +16,7 @@ Value Evaluator::call_shared(const Ref<Closure>& closure, const CallExpr& site,
   summary->arguments = arguments;
   summary->isolated = isolated_ > 0;
   summary->segment = recorder_->begin_segment();
+  leave_to_run();  // in which order an execution meets the choices of segments
   Segment segment{frames_made_, {}, {}};
   segments_.push_back(&segment);
   const Checkpoint start = checkpoint();

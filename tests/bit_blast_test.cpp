@@ -376,7 +376,7 @@ TEST_CASE("circuit: equal gates are one, whatever the signs and the order of the
 TEST_CASE("cadical: suggestions are followed where nothing is against them, also for choices met later") {
   const StopSignal never;
   Quotients q({-20, 20, 1, {}}, {0, 60, 4, {}});
-  const auto solver = make_cadical_solver(q.graph, {});
+  const auto solver = make_cadical_solver(q.graph, {0, true});
   for (const std::int64_t value : {-20, -7, 0, 13, 20}) {
     CHECK(solver->suggest(0, value));
     CHECK(solver->suggest(1, 20 + 2 * value));
@@ -393,7 +393,7 @@ TEST_CASE("cadical: suggestions are followed where nothing is against them, also
 TEST_CASE("cadical: a choice that no condition depends on takes its suggested value, or one of its domain") {
   const StopSignal never;
   Quotients q({5, 9, 1, {}}, {3, 7, 1, {}});
-  const auto solver = make_cadical_solver(q.graph, {});
+  const auto solver = make_cadical_solver(q.graph, {0, true});
   solver->suggest(1, 6);
   REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
   CHECK(solver->value(0) == 5);
@@ -449,7 +449,7 @@ TEST_CASE("cadical: the same calls with the same seed give the same models") {
   const StopSignal never;
   const auto models = [&](std::uint64_t seed) {
     Pigeons pigeons(9);
-    const auto solver = make_cadical_solver(pigeons.graph, {seed});
+    const auto solver = make_cadical_solver(pigeons.graph, {seed, true});
     pigeons.fill(*solver);
     std::vector<std::int64_t> values;
     for (std::int64_t round = 0; round < 5; ++round) {

@@ -244,9 +244,9 @@ TEST_CASE("cli: a rough layout first, then variations of what was liked of it") 
   const std::string script = SOLITAIRE_SOURCE_DIR "/examples/workspace.sol";
   const std::string rough = place / "rough";
   CHECK(run_solitaire({"generate", script, "--set", "groups=2", "-n", "2", "-o", rough}).status == 0);
-  const json liked = choices_in(place / "rough/workspace-0002.json");
+  const json liked = choices_in(place / "rough/workspace-0001.json");
   const std::vector<std::string> keeping = {
-      "--pin-file", rough + "/workspace-0002.json",   "--keep", "w", "--keep", "d",
+      "--pin-file", rough + "/workspace-0001.json",   "--keep", "w", "--keep", "d",
       "--keep",     "make_group[*]/make_table[*]/**",
   };
   std::vector<std::string> arguments = {"generate", script,

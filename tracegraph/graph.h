@@ -30,6 +30,9 @@ struct ChoiceDomain {
   std::int64_t step = 1;
   ChoiceKind kind = ChoiceKind::kInt;
 
+  constexpr bool contains(std::int64_t value) const {
+    return lo <= value && value <= hi && (value - lo) % step == 0;
+  }
   friend bool operator==(const ChoiceDomain&, const ChoiceDomain&) = default;
 };
 

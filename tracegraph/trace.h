@@ -53,6 +53,7 @@ struct TracePlaced {
   AddressId address;
   Span span;
   std::vector<NodeId> depends;
+  std::size_t number = 0;  // among all that the evaluation placed
 };
 
 /// One side of an undecided branch, named by the branch's address; or, as a cut, a point where a pass ran out

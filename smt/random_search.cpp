@@ -1,0 +1,144 @@
+#include "smt/random_search.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace solitaire {
+
+void RandomSearch::suggest(std::size_t variable, std::int64_t value) {
+  if (suggestions_.size() <= variable) suggestions_.resize(variable + 1);
+  suggestions_[variable] = value;
+}
+
+std::optional<std::int64_t> RandomSearch::suggestion(std::size_t variable) const {
+  return variable < suggestions_.size() ? suggestions_[variable] : std::nullopt;
+}
+
+bool RandomSearch::find(std::span<const int> assumptions, std::uint64_t dead_ends) {
+  take_suggestions();
+  if (assume(assumptions) && search(dead_ends)) return true;
+  for (std::size_t choice = 0; choice < choices_.size(); ++choice) want_what_is_left(choice);
+  return false;
+}
+
+void RandomSearch::end() {
+  while (propagator_.decisions() > 0) propagator_.undo();
+}
+
+std::vector<int> RandomSearch::wanted() const {
+  std::vector<int> literals;
+  for (std::size_t choice = 0; choice < choices_.size(); ++choice) {
+    for (std::size_t input = 0; input < choices_[choice].wanted.size(); ++input)
+      literals.push_back(literal(choice, input));
+  }
+  return literals;
+}
+
+void RandomSearch::take_suggestions() {
+  numbers_.resize(blaster_.choices());
+  for (std::size_t variable = 0; variable < numbers_.size(); ++variable) {
+    const std::span<const Literal> inputs = blaster_.choice_inputs(variable);
+    if (inputs.empty()) continue;
+    if (!numbers_[variable]) add_choice(variable);
+    const auto suggested = suggestion(variable);
+    if (!suggested) continue;
+    std::vector<char>& wanted = choices_[*numbers_[variable]].wanted;
+    wanted.clear();
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      if (is_constant(inputs[i])) continue;
+      wanted.push_back(blaster_.input_at(variable, i, *suggested) ? 1 : 0);
+    }
+  }
+}
+
+void RandomSearch::add_choice(std::size_t variable) {
+  std::vector<int> inputs;
+  for (const Literal input : blaster_.choice_inputs(variable)) {
+    if (!is_constant(input)) inputs.push_back(cnf_.variable(input));
+  }
+  numbers_[variable] = choices_.size();
+  choices_.push_back({blaster_.is_ordered(variable), std::vector<char>(inputs.size())});
+  search_.add(std::move(inputs));
+  draw(choices_.size() - 1);
+}
+
+bool RandomSearch::assume(std::span<const int> assumptions) {
+  if (!propagator_.propagate()) return false;
+  for (const int literal : assumptions) {
+    propagator_.reserve(std::abs(literal));
+    if (propagator_.value(literal) < 0) return false;
+    if (!propagator_.is_open(literal)) continue;
+    propagator_.decide(literal);
+    if (!propagator_.propagate()) return false;
+  }
+  return true;
+}
+
+bool RandomSearch::search(std::uint64_t dead_ends) {
+  const std::size_t assumed = propagator_.decisions();
+  for (std::uint64_t met = 0; met <= dead_ends;) {
+    if (propagator_.propagate()) {
+      const auto choice = search_.first_fail();
+      if (!choice) return true;
+      want_what_is_left(*choice);
+      propagator_.decide(decision(*choice));
+    } else {
+      ++met;
+      if (!search_.turn_back(assumed)) return false;
+    }
+  }
+  return false;
+}
+
+/// The input that leaves the fewest others open, as it is wanted: of an ordered choice one next to the value
+/// that is wanted.
+int RandomSearch::decision(std::size_t choice) const {
+  const std::span<const int> inputs = search_.inputs(choice);
+  std::size_t decided = inputs.size();
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!propagator_.is_open(inputs[i])) continue;
+    if (decided == inputs.size() || choices_[choice].wanted[i] != 0) decided = i;
+  }
+  return literal(choice, decided);
+}
+
+int RandomSearch::literal(std::size_t choice, std::size_t input) const {
+  const int variable = search_.inputs(choice)[input];
+  return choices_[choice].wanted[input] != 0 ? variable : -variable;
+}
+
+void RandomSearch::want_what_is_left(std::size_t choice) {
+  if (!is_left(choice)) draw(choice);
+}
+
+/// Whether nothing is decided against the value that is wanted.
+bool RandomSearch::is_left(std::size_t choice) const {
+  for (std::size_t i = 0; i < choices_[choice].wanted.size(); ++i) {
+    if (propagator_.value(literal(choice, i)) < 0) return false;
+  }
+  return true;
+}
+
+/// Another value to want, of those that are left.
+void RandomSearch::draw(std::size_t choice) {
+  const std::span<const int> inputs = search_.inputs(choice);
+  const auto open = static_cast<std::size_t>(
+      std::ranges::count_if(inputs, [this](int input) { return propagator_.is_open(input); }));
+  auto& [ordered, wanted] = choices_[choice];
+  std::size_t to_reach = ordered ? below(open + 1) : 0;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!propagator_.is_open(inputs[i])) {
+      wanted[i] = propagator_.value(inputs[i]) > 0 ? 1 : 0;
+    } else if (ordered) {
+      wanted[i] = to_reach > 0 ? 1 : 0;
+      to_reach -= wanted[i] != 0 ? 1 : 0;
+    } else {
+      wanted[i] = static_cast<char>(below(2));
+    }
+  }
+}
+
+/// From 0 to one less than the bound, which is so small that the modulus favours nothing visibly.
+std::size_t RandomSearch::below(std::size_t bound) { return static_cast<std::size_t>(random_() % bound); }
+
+}  // namespace solitaire
