@@ -12,6 +12,7 @@
 #include "engines/wide_trace.h"
 #include "solitaire/trace_reading.h"
 #include "tracegraph/cone.h"
+#include "tracegraph/hash.h"
 
 namespace solitaire {
 namespace {
@@ -82,6 +83,25 @@ bool is_power_of_16(std::uint64_t number) {
   return std::has_single_bit(number) && std::countr_zero(number) % 4 == 0;
 }
 
+ChoiceValues values_of(const Answers& answers) {
+  ChoiceValues values;
+  for (const auto& [address, answer] : answers) values.emplace_hint(values.end(), address, answer.second);
+  return values;
+}
+
+ChoiceValues values_of(const Solution& solution) {
+  ChoiceValues values;
+  for (const MetChoice& choice : solution.choices) values.emplace(choice.address, choice.value);
+  return values;
+}
+
+std::uint64_t hash_of(const ChoiceValues& values) {
+  std::uint64_t hash = values.size();
+  for (const auto& [address, value] : values)
+    hash = mix(mix(hash, address.index), static_cast<std::uint64_t>(value));
+  return hash;
+}
+
 std::size_t count_broken(const Execution& execution) {
   std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> broken;
   for (const Rejection& each : execution.broken) {
@@ -150,14 +170,41 @@ std::optional<Solution> TracingEngine::next() {
   }
   if (!best) return std::nullopt;
   improve(*best, start);
-  exclude_known(remember(best->solution));
+  remember(values_of(best->solution));
   return std::move(best->solution);
 }
 
-TracingEngine::Known& TracingEngine::remember(const Solution& solution) {
-  Known& known = known_.emplace_back();
-  for (const MetChoice& choice : solution.choices) known.values.emplace(choice.address, choice.value);
-  return known;
+void TracingEngine::remember(ChoiceValues values) {
+  by_hash_.emplace(hash_of(values), known_.size());
+  known_.push_back({std::move(values), {}});
+  if (met_pass_ > 0 && excludes_at_once()) exclude_known(known_.back());
+}
+
+/// Whether the solver is told of every known solution. To find one again by chance and tell the solver then
+/// is less work where that is rare: where solutions are many, and drawn at random.
+bool TracingEngine::excludes_at_once() const {
+  constexpr std::size_t kFewKnown = 16;
+  const bool best_first = options_.relax || !solver_.trace().wishes.empty();
+  return !options_.diverse || options_.backend == Backend::kThesis || best_first ||
+         4 * repeated_ > known_.size() + kFewKnown;
+}
+
+/// Whether the model is a known solution; then the solver is told of it, and has to be asked again.
+bool TracingEngine::exclude_repeated(const ChoiceValues& values) {
+  const auto [begin, end] = by_hash_.equal_range(hash_of(values));
+  const auto found =
+      std::find_if(begin, end, [&](const auto& entry) { return known_[entry.second].values == values; });
+  if (found == end) return false;
+  Known& known = known_[found->second];
+  if (known.differs) throw InternalError("a model repeats a solution that is excluded");
+  exclude_known(known);
+  ++repeated_;
+  if (excludes_at_once()) exclude_all_known();
+  return true;
+}
+
+void TracingEngine::exclude_all_known() {
+  for (Known& known : known_) exclude_known(known);
 }
 
 /// Where the solutions are all as good, and no path is left unexplored.
@@ -184,12 +231,12 @@ std::optional<Solution> TracingEngine::next_enumerated() {
       return std::nullopt;
     case Enumerator::Outcome::kTooHard:
       may_enumerate_ = false;
-      for (Known& known : known_) exclude_known(known);
+      exclude_all_known();
       return std::nullopt;
   }
   Assignment assignment(graph_, [this](std::size_t variable) { return enumerator_->value(variable); });
   Solution solution = run(std::move(assignment));
-  remember(solution);
+  remember(values_of(solution));
   return solution;
 }
 
@@ -250,8 +297,10 @@ std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::in
     if (outcome != Outcome::kFound) return std::nullopt;
     Assignment assignment = solver_.assignment();
     const Answers answers = solver_.answers(assignment);
+    const ChoiceValues values = values_of(answers);
+    if (exclude_repeated(values)) continue;
     try {
-      if (require_distance(answers)) continue;
+      if (require_distance(values)) continue;
       Found found = take_solution(assignment);
       if (!most || found.rank <= *most || solver_.exact()) return found;
       ending_ = Ending::kWrapped;
@@ -265,9 +314,7 @@ std::optional<TracingEngine::Found> TracingEngine::attempt(std::optional<std::in
 
 /// Whether the model is too near to solutions to keep away from; then the solver is told of these, and has to
 /// be asked again. To tell it of all from the start would slow it down for what most models fulfil by chance.
-bool TracingEngine::require_distance(const Answers& answers) {
-  ChoiceValues values;
-  for (const auto& [address, answer] : answers) values.emplace_hint(values.end(), address, answer.second);
+bool TracingEngine::require_distance(const ChoiceValues& values) {
   bool near = false;
   for (KeptAway& kept : kept_away_) {
     if (options_.min_distance.reached(overlap_of(values, kept.values))) continue;
@@ -322,7 +369,10 @@ void TracingEngine::meet_pass() {
   }
   if (!options_.relax) report_reachable_mistakes();
   objective_ = checked_objective(graph_, solver_.trace(), options_.relax);
-  for (Known& known : known_) exclude_known(known);
+  const bool all = excludes_at_once();
+  for (Known& known : known_) {
+    if (all || known.differs) exclude_known(known);
+  }
 }
 
 bool TracingEngine::check_mistakes() {
@@ -500,17 +550,14 @@ void TracingEngine::complete(Solution& solution) {
   add_broken_choices(solution);
 }
 
-void TracingEngine::exclude(const KnownChoices& choices) {
-  known_.push_back({values_of(choices), {}});
-  if (met_pass_ > 0) exclude_known(known_.back());
-}
+void TracingEngine::exclude(const KnownChoices& choices) { remember(addressed(choices)); }
 
 void TracingEngine::keep_away_from(const KnownChoices& choices) {
   if (!options_.min_distance.any()) return;
-  kept_away_.push_back({values_of(choices)});
+  kept_away_.push_back({addressed(choices)});
 }
 
-ChoiceValues TracingEngine::values_of(const KnownChoices& choices) {
+ChoiceValues TracingEngine::addressed(const KnownChoices& choices) {
   ChoiceValues values;
   for (const AnsweredChoice& choice : choices)
     values.emplace(addresses_.address(choice.address), choice.value);
@@ -547,7 +594,7 @@ Solution TracingEngine::run(const KnownChoices& choices) {
 
 /// Nothing, too, where the choices are not those that the execution meets.
 std::optional<Execution> TracingEngine::read(const KnownChoices& choices) {
-  const ChoiceValues values = values_of(choices);
+  const ChoiceValues values = addressed(choices);
   bool possible = true;
   Assignment assignment = assignment_of(values, possible);
   std::optional<Execution> execution = read(assignment);
@@ -565,9 +612,7 @@ std::optional<Execution> TracingEngine::read(const KnownChoices& choices) {
 Solution TracingEngine::run(Assignment assignment) { return take_solution(assignment).solution; }
 
 std::vector<NodeId> TracingEngine::formula() {
-  if (enumerator_) {
-    for (Known& known : known_) exclude_known(known);  // which it needs no clauses for
-  }
+  exclude_all_known();
   const Trace& trace = solver_.trace();
   std::vector<NodeId> conditions;
   const ExecutionSolver::Firm firm = firmness(options_.relax);

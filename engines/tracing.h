@@ -89,18 +89,21 @@ class TracingEngine : public Engine {
   Outcome find(std::optional<std::int64_t> most);
   std::optional<Found> attempt(std::optional<std::int64_t> most);
   void exclude_model(const Answers& answers);
-  bool require_distance(const Answers& answers);
+  bool exclude_repeated(const ChoiceValues& values);
+  bool require_distance(const ChoiceValues& values);
   NodeId distance_condition(const KeptAway& kept);
   std::vector<NodeId> differing(const Answers& answers);
   void improve(Found& best, StopSignal::Clock::time_point start);
-  Known& remember(const Solution& solution);
+  void remember(ChoiceValues values);
+  bool excludes_at_once() const;
+  void exclude_all_known();
   bool can_enumerate() const;
   std::unique_ptr<Enumerator> make_enumerator();
   std::optional<Solution> next_enumerated();
   Found take_solution(Assignment& assignment);
   std::optional<Execution> read(Assignment& assignment);
   std::optional<Execution> read(const KnownChoices& choices);
-  ChoiceValues values_of(const KnownChoices& choices);
+  ChoiceValues addressed(const KnownChoices& choices);
   Assignment assignment_of(const ChoiceValues& values, bool& possible) const;
   void check_reading(const Execution& read, Assignment& assignment);
   Execution replay(const Answers& answers);
@@ -131,6 +134,8 @@ class TracingEngine : public Engine {
   std::unique_ptr<Enumerator> enumerator_;  // while it is what finds solutions
   bool may_enumerate_;
   std::vector<Known> known_;
+  std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // numbers of known solutions
+  std::size_t repeated_ = 0;                                     // models that were known solutions
   std::vector<KeptAway> kept_away_;
   std::uint64_t read_ = 0;  // solutions that were not run
   std::uint64_t number_;    // of the next solution, which its random values depend on

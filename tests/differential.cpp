@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "engines/distinct.h"
 #include "engines/exhaustive.h"
 #include "engines/tracing.h"
 
@@ -38,9 +39,11 @@ std::string describe(const Solution& solution, const AddressTable& addresses) {
   const Execution& run = solution.execution;
   std::string text = fmt::format("{} -> {}", fmt::join(choices, " "), to_json(run.value));
   for (const Placement& placed : run.placements) {
-    text += fmt::format("\n    placed {} at {} turn {} name {}", placed.address, placed.at, placed.turn,
-                        json_string(placed.name));
+    text +=
+        fmt::format("\n    placed {} name {} from {} {} with {}", placed.address, json_string(placed.name),
+                    placed.source, fmt::join(placed.calls, "/"), placed.extras.size());
   }
+  text += fmt::format("\n    looks {} unit {}", fmt::join(looks_of(run), "; "), run.unit);
   for (const std::string& line : run.printed) text += "\n    printed " + line;
   return text;
 }
