@@ -193,7 +193,7 @@ ExitStatus generate(const Options& options, Watchdog& watchdog) {
   if (options.resume) resume(search, output, session, options);
   return search.run(
       [&](std::uint64_t number, const Solution& solution) {
-        output.add(number, solution, search.engine().times());
+        output.add(number, solution, search.times());
         if (solution.quality && !options.quiet)
           tell(fmt::format("{}-{:04}: {}\n", session.name(), number, quality_text(solution)));
         if (!options.json) return;

@@ -32,7 +32,8 @@ class Search {
   /// NotASolution.
   void resume(const std::vector<KnownChoices>& earlier, const Found& seen);
 
-  const TracingEngine& engine() const { return series_->engine(); }
+  /// See SolutionSource::times.
+  TracingTimes times() const { return series_->times(); }
 
  private:
   bool wants_more() const { return options_.all || solutions_ < options_.count; }

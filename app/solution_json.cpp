@@ -45,10 +45,23 @@ Json solution_json(const Solution& solution, const SourceSet& sources) {
   return json;
 }
 
+/// As of solution_json; written here piece by piece, since there can be very many.
 std::string solution_line(std::uint64_t number, const Solution& solution, const SourceSet& sources) {
-  Json line{{"index", number}};
-  line.update(solution_json(solution, sources));
-  return json_text(line) + "\n";
+  std::string line = fmt::format("{{\"index\":{},\"value\":{}", number, to_json(solution.execution.value));
+  if (solution.quality) {
+    line += fmt::format(",\"cost\":{},\"optimal\":{},\"broken\":{}", solution.quality->cost,
+                        solution.quality->proved, json_text(broken_json(solution, sources)));
+  }
+  line += ",\"choices\":[";
+  for (const AnsweredChoice& choice : solution.answers) {
+    line += line.back() == '[' ? "{\"at\":" : ",{\"at\":";
+    line += json_string(choice.address);
+    line += ",\"value\":";
+    line += choice.kind == ChoiceKind::kBool ? (choice.value != 0 ? "true" : "false")
+                                             : std::to_string(choice.value);
+    line += '}';
+  }
+  return line + "]}\n";
 }
 
 std::string json_text(const Json& json, int indent) {

@@ -34,8 +34,12 @@ void BackgroundSearch::run() {
     for (const KnownChoices& known : known_) engine.exclude(known);
     while (wait_until_wanted()) {
       const std::optional<Solution> solution = engine.next();
-      if (!solution) return finish(engine.ending(), nullptr);
-      const std::lock_guard lock(mutex_);
+      std::unique_lock lock(mutex_);
+      times_ = engine.times();
+      if (!solution) {
+        lock.unlock();
+        return finish(engine.ending(), nullptr);
+      }
       found_.push_back(solution->answers);
       changed_.notify_all();
     }
@@ -57,6 +61,11 @@ void BackgroundSearch::finish(Ending ending, std::exception_ptr error) {
 
 /// Signals wake nobody, so they are looked at now and then.
 constexpr std::chrono::milliseconds kLook{20};
+
+TracingTimes BackgroundSearch::times() const {
+  const std::lock_guard lock(mutex_);
+  return times_;
+}
 
 bool BackgroundSearch::wait_until_wanted() {
   std::unique_lock lock(mutex_);

@@ -26,6 +26,8 @@ class BackgroundSearch {
   /// The next solution, or nothing: then ending() says why. Throws what the engine threw.
   std::optional<KnownChoices> next();
   Ending ending() const { return ending_; }
+  /// As of the last solution that it found.
+  TracingTimes times() const;
   const std::shared_ptr<const OwnProgram>& program() const { return program_; }
 
  private:
@@ -40,9 +42,10 @@ class BackgroundSearch {
   std::uint64_t first_;
   std::vector<KnownChoices> known_;
 
-  std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // of what follows
   std::condition_variable changed_;
   std::deque<KnownChoices> found_;
+  TracingTimes times_;
   std::size_t taken_ = 0;
   std::size_t wanted_;
   bool over_ = false;

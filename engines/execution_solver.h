@@ -53,6 +53,14 @@ struct TracingOptions {
 /// Where the time went, in seconds.
 struct TracingTimes {
   double explore = 0, encode = 0, solve = 0, replay = 0;
+
+  TracingTimes& operator+=(const TracingTimes& other) {
+    explore += other.explore;
+    encode += other.encode;
+    solve += other.solve;
+    replay += other.replay;
+    return *this;
+  }
 };
 
 /// Adds the time until its end to a sum.

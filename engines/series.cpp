@@ -72,9 +72,11 @@ std::size_t Series::known_to(const Block& block) const {
 void Series::start(const Block& block) {
   block_ = block;
   if (in_background()) {
+    past_times_ += searches_.front().second->times();
     searches_.pop_front();
     return start_searches();
   }
+  past_times_ += engine_->times();
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, block.start);
   if (told_) engine_->on_improvement(told_);
   for (std::size_t i = 0; i < known_to(block); ++i) {
@@ -198,6 +200,13 @@ std::optional<Solution> Series::next_of_block() {
   ending_ = choices ? Ending::kNone : search.ending();
   if (!choices) return std::nullopt;
   return engine_->run(*choices);
+}
+
+TracingTimes Series::times() const {
+  TracingTimes times = past_times_;
+  times += engine_->times();
+  for (const auto& [block, search] : searches_) times += search->times();
+  return times;
 }
 
 TracingEngine& Series::engine_of_rest() {

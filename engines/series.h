@@ -37,6 +37,7 @@ class Series : public SolutionSource {
   void on_improvement(std::function<void(const Solution&)> told) override;
 
   Ending ending() const override { return ending_; }
+  TracingTimes times() const override;
   TracingEngine& engine() override { return *engine_; }
   const TracingEngine& engine() const override { return *engine_; }
   TracingEngine& engine_of_rest() override;
@@ -69,6 +70,7 @@ class Series : public SolutionSource {
   std::unique_ptr<TracingEngine> engine_;  // of the block, if that is not worked on in the background
   std::deque<std::pair<Block, std::unique_ptr<BackgroundSearch>>>
       searches_;  // the block's, and of the next ones
+  TracingTimes past_times_;  // of engines and searches that are over
   std::function<void(const Solution&)> told_;
   Block block_;
   DistinctResults results_;

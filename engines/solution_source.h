@@ -24,6 +24,8 @@ class SolutionSource {
   virtual void on_improvement(std::function<void(const Solution&)> told) = 0;
 
   virtual Ending ending() const = 0;
+  /// Of all searches so far, on whichever thread.
+  virtual TracingTimes times() const { return engine().times(); }
   virtual TracingEngine& engine() = 0;
   virtual const TracingEngine& engine() const = 0;
   /// One that knows all solutions that came, and at the end that there are no others.

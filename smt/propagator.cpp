@@ -1,18 +1,85 @@
 #include "smt/propagator.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace solitaire {
+namespace {
+
+/// Calls with each of the clauses that stand one after the other, each behind its length.
+template <class Visit>
+void for_each_clause(const std::vector<int>& clauses, Visit visit) {
+  for (std::size_t at = 0; at < clauses.size();) {
+    const auto size = static_cast<std::size_t>(clauses[at]);
+    visit(std::span(&clauses[at] + 1, size));
+    at += size + 1;
+  }
+}
+
+/// From how many entries each has to where they start.
+std::vector<std::uint32_t> starts_of(std::vector<std::uint32_t> counts) {
+  std::uint32_t sum = 0;
+  for (std::uint32_t& count : counts) count = std::exchange(sum, sum + count);
+  counts.push_back(sum);
+  return counts;
+}
+
+}  // namespace
 
 void Propagator::reserve(int variable) {
   const std::size_t size = 2 * (static_cast<std::size_t>(variable) + 1);
   if (values_.size() >= size) return;
   values_.resize(size);
-  implied_.resize(size);
   watches_.resize(size);
 }
 
 void Propagator::clause(std::span<const int> literals) {
+  waiting_.push_back(static_cast<int>(literals.size()));
+  waiting_.insert(waiting_.end(), literals.begin(), literals.end());
+}
+
+void Propagator::take_clauses() {
+  if (waiting_.empty()) return;
+  if (!has_tables_) make_tables();
+  for_each_clause(waiting_, [this](std::span<const int> clause) { take(clause); });
+  waiting_.clear();
+}
+
+/// Of the clauses that wait, leaving behind those that they have no place for.
+void Propagator::make_tables() {
+  has_tables_ = true;
+  int most = 0;
+  for_each_clause(waiting_, [&](std::span<const int> clause) {
+    for (const int literal : clause) most = std::max(most, std::abs(literal));
+  });
+  reserve(most);
+  std::vector<std::uint32_t> in_pairs(values_.size()), in_triples(values_.size());
+  for_each_clause(waiting_, [&](std::span<const int> clause) {
+    if (clause.size() != 2 && clause.size() != 3) return;
+    for (const int literal : clause) ++(clause.size() == 2 ? in_pairs : in_triples)[index(literal)];
+  });
+  pairs_.starts = starts_of(std::move(in_pairs));
+  triples_.starts = starts_of(std::move(in_triples));
+  pairs_.entries.resize(pairs_.starts.back());
+  triples_.entries.resize(triples_.starts.back());
+  std::vector<std::uint32_t> next_pair = pairs_.starts, next_triple = triples_.starts;
+  std::vector<int> others;
+  for_each_clause(waiting_, [&](std::span<const int> clause) {
+    if (clause.size() == 2) {
+      for (std::size_t i = 0; i < 2; ++i) pairs_.entries[next_pair[index(clause[i])]++] = clause[1 - i];
+    } else if (clause.size() == 3) {
+      for (std::size_t i = 0; i < 3; ++i)
+        triples_.entries[next_triple[index(clause[i])]++] = {clause[(i + 1) % 3], clause[(i + 2) % 3]};
+    } else {
+      others.push_back(static_cast<int>(clause.size()));
+      others.insert(others.end(), clause.begin(), clause.end());
+    }
+  });
+  waiting_ = std::move(others);
+}
+
+void Propagator::take(std::span<const int> literals) {
   for (const int literal : literals) reserve(std::abs(literal));
   if (trail_.empty()) return add(literals);
   std::vector<int> open;
@@ -29,9 +96,6 @@ void Propagator::add(std::span<const int> literals) {
     broken_ = true;
   } else if (literals.size() == 1) {
     assign(literals[0]);
-  } else if (literals.size() == 2) {
-    implied_[index(literals[0])].push_back(literals[1]);
-    implied_[index(literals[1])].push_back(literals[0]);
   } else {
     const auto start = static_cast<std::uint32_t>(literals_.size());
     literals_.push_back(static_cast<int>(literals.size()));
@@ -66,14 +130,25 @@ int Propagator::undo() {
 }
 
 bool Propagator::propagate() {
+  take_clauses();
   if (broken_) return false;
   while (propagated_ < trail_.size()) {
     const int falsified = -trail_[propagated_++];
-    for (const int literal : implied_[index(falsified)]) {
-      if (value(literal) < 0) return false;
-      if (is_open(literal)) assign(literal);
-    }
-    if (!visit_clauses(falsified)) return false;
+    if (!visit_tables(falsified) || !visit_clauses(falsified)) return false;
+  }
+  return true;
+}
+
+bool Propagator::visit_tables(int falsified) {
+  for (const int literal : pairs_.of(index(falsified))) {
+    if (value(literal) < 0) return false;
+    if (is_open(literal)) assign(literal);
+  }
+  for (const auto& [a, b] : triples_.of(index(falsified))) {
+    const int value_of_a = value(a), value_of_b = value(b);
+    if (value_of_a > 0 || value_of_b > 0 || (value_of_a == 0 && value_of_b == 0)) continue;
+    if (value_of_a == value_of_b) return false;
+    assign(value_of_a == 0 ? a : b);
   }
   return true;
 }

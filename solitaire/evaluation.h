@@ -122,7 +122,7 @@ class Evaluator {
   Value decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step, ChoiceKind kind);
   void place(Placement placement, const BuiltinCall& call);
   Execution& execution() { return execution_; }
-  std::string text(AddressId address) const { return addresses_.text(address); }
+  const std::string& text(AddressId address) const { return addresses_.text(address); }
   const SourceSet& sources() const { return program_.sources; }
 
   // ---- operators.cpp

@@ -27,25 +27,41 @@ std::string float_text(double value) {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Value& value) {
-  return std::visit(Overloaded{[](Value::Unset) -> Json { return nullptr; },
-                               [](Value::Nil) -> Json { return nullptr; }, [](bool b) -> Json { return b; },
-                               [](std::int64_t i) -> Json { return i; }, [](double d) -> Json { return d; },
-                               [](const Ref<String>& text) -> Json { return text->text; },
-                               [](const Ref<List>& list) -> Json {
-                                 Json array = Json::array();
-                                 for (const Value& item : list->items) array.push_back(json_of(item));
-                                 return array;
-                               },
-                               [](const Ref<Record>& record) -> Json {
-                                 Json object = Json::object();
-                                 for (std::size_t i = 0; i < record->fields.size(); ++i) {
-                                   object[record->type->fields[i].name] = json_of(record->fields[i]);
-                                 }
-                                 return object;
-                               },
-                               [&](const auto&) -> Json { return to_text(value); }},
-                    value.data());
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// Whether a JSON string of the text is the text between quotes.
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
+/// By hand where nothing has to be known about JSON: results are written, and compared, in great numbers.
+void append_json(std::string& json, const Value& value) {
+  const auto members = [&](char open, std::size_t count, char close, auto append) {
+    json += open;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0) json += ',';
+      append(i);
+    }
+    json += close;
+  };
+  std::visit(
+      Overloaded{[&](Value::Unset) { json += "null"; }, [&](Value::Nil) { json += "null"; },
+                 [&](bool b) { json += b ? "true" : "false"; },
+                 [&](std::int64_t i) { json += std::to_string(i); }, [&](double d) { json += dumped(d); },
+                 [&](const Ref<String>& text) { json += json_string(text->text); },
+                 [&](const Ref<List>& list) {
+                   members('[', list->items.size(), ']',
+                           [&](std::size_t i) { append_json(json, list->items[i]); });
+                 },
+                 [&](const Ref<Record>& record) {
+                   members('{', record->fields.size(), '}', [&](std::size_t i) {
+                     json += json_string(record->type->fields[i].name);
+                     json += ':';
+                     append_json(json, record->fields[i]);
+                   });
+                 },
+                 [&](const auto&) { json += json_string(to_text(value)); }},
+      value.data());
 }
 
 }  // namespace
@@ -207,11 +223,16 @@ std::string to_text(const Value& value, const NodeName& name) {
 }
 
 std::string to_json(const Value& value) {
-  return json_of(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string json;
+  append_json(json, value);
+  return json;
 }
 
 std::string json_string(std::string_view text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (!is_plain(text)) return dumped(text);
+  std::string quoted = "\"";
+  quoted += text;
+  return quoted += '"';
 }
 
 }  // namespace solitaire

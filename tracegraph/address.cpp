@@ -64,13 +64,15 @@ std::vector<std::string> AddressTable::steps(AddressId address) const {
   return steps;
 }
 
-std::string AddressTable::text(AddressId address) const {
-  std::string text;
-  for (const std::string& step : steps(address)) {
-    if (!text.empty()) text += '/';
-    text += step;
+const std::string& AddressTable::text(AddressId address) const {
+  const auto [entry, added] = texts_.try_emplace(address.index);
+  if (added) {
+    for (const std::string& step : steps(address)) {
+      if (!entry->second.empty()) entry->second += '/';
+      entry->second += step;
+    }
   }
-  return text;
+  return entry->second;
 }
 
 }  // namespace solitaire

@@ -30,7 +30,7 @@ class AddressTable {
   AddressId address(std::string_view text);
 
   /// The readable form: "wing[2]/room[0]/make_table/rot". Empty for the root.
-  std::string text(AddressId address) const;
+  const std::string& text(AddressId address) const;
   /// The readable steps, each with its turns: "wing[2]", "room[0]", "make_table", "rot".
   std::vector<std::string> steps(AddressId address) const;
 
@@ -56,6 +56,7 @@ class AddressTable {
 
   std::vector<Entry> entries_;
   std::unordered_map<Entry, std::uint32_t, EntryHash> ids_;
+  mutable std::unordered_map<std::uint32_t, std::string> texts_;  // that somebody asked for
   std::vector<std::string> labels_;
   std::unordered_map<std::string, std::uint32_t, TextHash, std::equal_to<>> label_ids_;
 };
