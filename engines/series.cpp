@@ -52,7 +52,7 @@ std::size_t Series::size(std::size_t number, std::size_t start) const {
     case Manner::kBlocks:
       break;
   }
-  if (number < 6) return std::size_t{4} << (number / 2);
+  if (number < 3) return std::size_t{4} << number;
   return std::max(kUsual, start / 8);
 }
 

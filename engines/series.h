@@ -69,7 +69,7 @@ class Series : public SolutionSource {
   Manner manner_ = Manner::kUnknown;
   std::unique_ptr<TracingEngine> engine_;  // of the block, if that is not worked on in the background
   std::deque<std::pair<Block, std::unique_ptr<BackgroundSearch>>>
-      searches_;  // the block's, and of the next ones
+      searches_;             // the block's, and of the next ones
   TracingTimes past_times_;  // of engines and searches that are over
   std::function<void(const Solution&)> told_;
   Block block_;

@@ -125,6 +125,7 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
               firmness(options.relax), first),
       may_enumerate_(!options.diverse && !options.relax && options.backend == Backend::kCadical &&
                      !options.min_distance.any()),
+      read_(first),
       number_(first) {
   limits_.keep_going = options.relax;
 }
@@ -177,7 +178,7 @@ std::optional<Solution> TracingEngine::next() {
 void TracingEngine::remember(ChoiceValues values) {
   by_hash_.emplace(hash_of(values), known_.size());
   known_.push_back({std::move(values), {}});
-  if (met_pass_ > 0 && excludes_at_once()) exclude_known(known_.back());
+  if (met_pass_ > 0 && !enumerator_ && excludes_at_once()) exclude_known(known_.back());
 }
 
 /// Whether the solver is told of every known solution. To find one again by chance and tell the solver then
@@ -231,6 +232,7 @@ std::optional<Solution> TracingEngine::next_enumerated() {
       return std::nullopt;
     case Enumerator::Outcome::kTooHard:
       may_enumerate_ = false;
+      enumerator_.reset();
       exclude_all_known();
       return std::nullopt;
   }

@@ -58,6 +58,8 @@ class CadicalSolver : public Solver, private ClauseSink {
       solver_.set("elimint", 20'000);
       solver_.set("probeint", 50'000);
       solver_.set("subsumeint", 100'000);
+      // As solutions are asked for one after the other, what was learned is worth keeping for a while.
+      solver_.set("reduceint", 1'000);
     }
   }
 
