@@ -125,7 +125,7 @@ TracingEngine::TracingEngine(const Program& program, ParamValues params, const T
               firmness(options.relax), first),
       may_enumerate_(!options.diverse && !options.relax && options.backend == Backend::kCadical &&
                      !options.min_distance.any()),
-      read_(first),
+      taken_(first),
       number_(first) {
   limits_.keep_going = options.relax;
 }
@@ -497,9 +497,9 @@ Execution TracingEngine::replay(const Answers& answers) {
   return execute(program_, params_, choices, addresses_, limits_);
 }
 
-/// What the trace says of an execution.
+/// What the trace says of an execution. The very first one is run.
 std::optional<Execution> TracingEngine::read(Assignment& assignment) {
-  if (options_.relax || options_.backend == Backend::kThesis) return std::nullopt;
+  if (options_.relax || options_.backend == Backend::kThesis || ++taken_ == 1) return std::nullopt;
   const Stopwatch watch(solver_.times().replay);
   return read_execution(program_, solver_.pass(), addresses_, assignment,
                         options_.scene != SceneDetail::kNone);
@@ -507,7 +507,7 @@ std::optional<Execution> TracingEngine::read(Assignment& assignment) {
 
 /// Nobody should believe what is never looked at: the program is run, too, now and then.
 void TracingEngine::check_reading(const Execution& read, Assignment& assignment) {
-  if (!is_power_of_16(++read_)) return;
+  if (!is_power_of_16(taken_)) return;
   const Execution run = replay(solver_.answers(assignment));
   const auto same_choice = [](const MetChoice& a, const MetChoice& b) {
     return a.address == b.address && a.value == b.value;

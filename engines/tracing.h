@@ -137,7 +137,7 @@ class TracingEngine : public Engine {
   std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // numbers of known solutions
   std::size_t repeated_ = 0;                                     // models that were known solutions
   std::vector<KeptAway> kept_away_;
-  std::uint64_t read_;    // solutions that were not run, by this engine and those before it
+  std::uint64_t taken_;   // solutions, by this engine and those before it
   std::uint64_t number_;  // of the next solution, which its random values depend on
 };
 

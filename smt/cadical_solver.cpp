@@ -18,9 +18,6 @@ constexpr int kUnsatisfied = 20;
 /// A search that takes suggested values first, whatever it learns, can take forever where things stand close.
 constexpr int kConflictsFollowing = 300;
 
-/// How many dead ends a search at random may meet. After one that fails, the next may meet fewer.
-constexpr std::uint64_t kDeadEnds = 64;
-
 /// CaDiCaL asks all the time, so the clock is looked at only now and then.
 class Stop : public CaDiCaL::Terminator {
  public:
@@ -116,10 +113,9 @@ class CadicalSolver : public Solver, private ClauseSink {
   /// Whether a model was found without CaDiCaL.
   bool search_at_random(std::span<const int> assumed) {
     if (!has_suggestions_) return false;
-    const bool found = random_search_.find(assumed, dead_ends_);
+    const bool found = random_search_.find(assumed);
     if (found) take_model([this](int variable) { return propagator_.value(variable) > 0; });
     random_search_.end();
-    if (!found) dead_ends_ /= 4;
     return found;
   }
 
@@ -184,11 +180,10 @@ class CadicalSolver : public Solver, private ClauseSink {
   Cnf cnf_;
   BitBlaster blaster_;
   RandomSearch random_search_;
-  std::uint64_t dead_ends_ = kDeadEnds;  // that the next search at random may meet
-  bool has_suggestions_ = false;         // that CaDiCaL does not know yet
-  std::vector<int> untold_;              // clauses that CaDiCaL does not know yet, each ended by 0
-  std::vector<int> following_;           // literals that CaDiCaL tries first
-  std::vector<std::int64_t> model_;      // by variable
+  bool has_suggestions_ = false;     // that CaDiCaL does not know yet
+  std::vector<int> untold_;          // clauses that CaDiCaL does not know yet, each ended by 0
+  std::vector<int> following_;       // literals that CaDiCaL tries first
+  std::vector<std::int64_t> model_;  // by variable
   std::vector<NodeId> core_;
   int effort_ = 0;
 };

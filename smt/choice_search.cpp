@@ -9,6 +9,18 @@ void ChoiceSearch::add(std::vector<int> inputs) {
   choices_.push_back(std::move(inputs));
 }
 
+std::optional<std::size_t> ChoiceSearch::next(Order order) const {
+  if (order == Order::kFirstFail) return first_fail();
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    if (is_open(i)) return i;
+  }
+  return std::nullopt;
+}
+
+bool ChoiceSearch::is_open(std::size_t choice) const {
+  return std::ranges::any_of(choices_[choice], [this](int input) { return propagator_.is_open(input); });
+}
+
 std::optional<std::size_t> ChoiceSearch::first_fail() const {
   std::ptrdiff_t fewest = PTRDIFF_MAX;
   std::optional<std::size_t> best;

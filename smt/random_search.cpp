@@ -14,9 +14,14 @@ std::optional<std::int64_t> RandomSearch::suggestion(std::size_t variable) const
   return variable < suggestions_.size() ? suggestions_[variable] : std::nullopt;
 }
 
-bool RandomSearch::find(std::span<const int> assumptions, std::uint64_t dead_ends) {
+bool RandomSearch::find(std::span<const int> assumptions) {
   take_suggestions();
-  if (assume(assumptions) && search(dead_ends)) return true;
+  if (assume(assumptions)) {
+    const std::size_t assumed = propagator_.decisions();
+    for (Manner& manner : manners_) {
+      if (search(manner, assumed)) return true;
+    }
+  }
   for (std::size_t choice = 0; choice < choices_.size(); ++choice) want_what_is_left(choice);
   return false;
 }
@@ -74,17 +79,27 @@ bool RandomSearch::assume(std::span<const int> assumptions) {
   return true;
 }
 
-bool RandomSearch::search(std::uint64_t dead_ends) {
-  const std::size_t assumed = propagator_.decisions();
+/// What succeeds is worth more effort the next time, what does not is worth less.
+bool RandomSearch::search(Manner& manner, std::size_t assumed) {
+  while (propagator_.decisions() > assumed) propagator_.undo();
+  const bool found = search(manner, assumed, manner.dead_ends);
+  manner.dead_ends = found ? manner.most_dead_ends : manner.dead_ends / 4;
+  return found;
+}
+
+bool RandomSearch::search(const Manner& manner, std::size_t assumed, std::uint64_t dead_ends) {
   for (std::uint64_t met = 0; met <= dead_ends;) {
     if (propagator_.propagate()) {
-      const auto choice = search_.first_fail();
+      const auto choice = search_.next(manner.order);
       if (!choice) return true;
       want_what_is_left(*choice);
       propagator_.decide(decision(*choice));
     } else {
       ++met;
       if (!search_.turn_back(assumed)) return false;
+      if (met % manner.run != 0) continue;
+      while (propagator_.decisions() > assumed) propagator_.undo();
+      for (std::size_t choice = 0; choice < choices_.size(); ++choice) draw(choice);
     }
   }
   return false;
