@@ -185,11 +185,14 @@ void add_search_options(CLI::App& command, Options& options) {
   command
       .add_option("--diversity", options.diversity,
                   "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
-                  "'normal' (default) starts each search at random values")
+                  "'normal' (default) starts each search at random values, 'high' makes it follow more of "
+                  "them, which takes "
+                  "longer")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, DiversityLevel>{{"low", DiversityLevel::kLow},
-                                                                        {"normal", DiversityLevel::kNormal}})
-              .description("low|normal"));
+                                                                        {"normal", DiversityLevel::kNormal},
+                                                                        {"high", DiversityLevel::kHigh}})
+              .description("low|normal|high"));
   auto* formula =
       command
           .add_option(

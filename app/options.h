@@ -24,7 +24,7 @@ enum ExitStatus : int {
 };
 
 /// How hard to try for solutions that differ much.
-enum class DiversityLevel : std::uint8_t { kLow, kNormal };
+enum class DiversityLevel : std::uint8_t { kLow, kNormal, kHigh };
 
 /// How solutions are chosen among all: as the search finds them, or each with the same probability.
 enum class Sampling : std::uint8_t { kSearch, kUniform };

@@ -8,6 +8,18 @@
 namespace solitaire {
 namespace {
 
+const char* level_name(DiversityLevel level) {
+  switch (level) {
+    case DiversityLevel::kLow:
+      return "low";
+    case DiversityLevel::kNormal:
+      return "normal";
+    case DiversityLevel::kHigh:
+      break;
+  }
+  return "high";
+}
+
 using Json = nlohmann::ordered_json;
 
 /// Those that decide which solutions come.
@@ -19,7 +31,7 @@ Json options_json(const Options& options) {
     json["n"] = options.count;
   }
   json["distinct"] = options.distinct == Distinct::kResult ? "result" : "choices";
-  if (options.diversity) json["diversity"] = *options.diversity == DiversityLevel::kLow ? "low" : "normal";
+  if (options.diversity) json["diversity"] = level_name(*options.diversity);
   if (options.min_distance > 0) json["min_distance"] = options.min_distance;
   json["explore"] = options.exploration_name();
   json["max_steps"] = options.max_steps;

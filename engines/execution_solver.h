@@ -8,6 +8,7 @@
 #include "engines/explore.h"
 #include "engines/min_distance.h"
 #include "engines/pins.h"
+#include "smt/cadical_solver.h"
 #include "smt/solver.h"
 #include "tracegraph/assignment.h"
 
@@ -39,9 +40,10 @@ struct TracingOptions {
   Exploration exploration;
   Backend backend = Backend::kCadical;
   std::uint64_t seed = 0;
-  bool diverse = true;                           // solutions that differ much, at some cost in speed
-  SceneDetail scene = SceneDetail::kProvenance;  // of solutions
-  bool relax = false;                            // asserts may be broken, as few as possible
+  bool diverse = true;                                    // solutions that differ much, at some cost in speed
+  SceneDetail scene = SceneDetail::kProvenance;           // of solutions
+  unsigned random_signs = CadicalOptions{}.random_signs;  // see there
+  bool relax = false;                                     // asserts may be broken, as few as possible
   /// Seconds from the start of the search for a solution after which it is no longer made better.
   std::optional<double> improvement_time;
   std::vector<Pin> pins;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cadical.hpp>
 #include <climits>
+#include <cstdlib>
+#include <random>
 #include <utility>
 
 #include "smt/bit_blast.h"
@@ -124,7 +126,20 @@ class CadicalSolver : public Solver, private ClauseSink {
     untold_.clear();
     if (!std::exchange(has_suggestions_, false)) return;
     following_ = random_search_.wanted();
+    draw_signs();
     for (const int literal : following_) solver_.phase(literal);
+  }
+
+  /// Of variables that do not follow a suggestion.
+  void draw_signs() {
+    std::vector<bool> follows(static_cast<std::size_t>(cnf_.variables()) + 1);
+    for (const int literal : following_) follows[static_cast<std::size_t>(std::abs(literal))] = true;
+    for (int variable = 1; variable <= cnf_.variables(); ++variable) {
+      if (follows[static_cast<std::size_t>(variable)]) continue;
+      const std::uint64_t drawn = random_();
+      if (drawn / 2 % 100 < options_.random_signs)
+        following_.push_back(drawn % 2 == 0 ? variable : -variable);
+    }
   }
 
   int solve(const StopSignal& signal, const std::vector<int>& assumed) {
@@ -180,6 +195,7 @@ class CadicalSolver : public Solver, private ClauseSink {
   Cnf cnf_;
   BitBlaster blaster_;
   RandomSearch random_search_;
+  std::mt19937_64 random_{options_.seed};
   bool has_suggestions_ = false;     // that CaDiCaL does not know yet
   std::vector<int> untold_;          // clauses that CaDiCaL does not know yet, each ended by 0
   std::vector<int> following_;       // literals that CaDiCaL tries first

@@ -21,14 +21,24 @@ bool RandomSearch::find(std::span<const int> assumptions) {
     for (Manner& manner : manners_) {
       if (search(manner, assumed)) return true;
     }
+    want_together(assumed);
   }
-  for (std::size_t choice = 0; choice < choices_.size(); ++choice) want_what_is_left(choice);
   return false;
 }
 
-void RandomSearch::end() {
-  while (propagator_.decisions() > 0) propagator_.undo();
+/// Wants what a single descent from the suggestions comes to.
+void RandomSearch::want_together(std::size_t assumed) {
+  undo_to(assumed);
+  take_suggestions();
+  search({ChoiceSearch::Order::kFirstFail, 0, 1}, assumed, 0);
+  for (std::size_t choice = 0; choice < choices_.size(); ++choice) want_what_is_left(choice);
 }
+
+void RandomSearch::undo_to(std::size_t decisions) {
+  while (propagator_.decisions() > decisions) propagator_.undo();
+}
+
+void RandomSearch::end() { undo_to(0); }
 
 std::vector<int> RandomSearch::wanted() const {
   std::vector<int> literals;
@@ -81,7 +91,7 @@ bool RandomSearch::assume(std::span<const int> assumptions) {
 
 /// What succeeds is worth more effort the next time, what does not is worth less.
 bool RandomSearch::search(Manner& manner, std::size_t assumed) {
-  while (propagator_.decisions() > assumed) propagator_.undo();
+  undo_to(assumed);
   const bool found = search(manner, assumed, manner.dead_ends);
   manner.dead_ends = found ? manner.most_dead_ends : manner.dead_ends / 4;
   return found;
@@ -98,7 +108,7 @@ bool RandomSearch::search(const Manner& manner, std::size_t assumed, std::uint64
       ++met;
       if (!search_.turn_back(assumed)) return false;
       if (met % manner.run != 0) continue;
-      while (propagator_.decisions() > assumed) propagator_.undo();
+      undo_to(assumed);
       for (std::size_t choice = 0; choice < choices_.size(); ++choice) draw(choice);
     }
   }

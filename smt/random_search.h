@@ -25,8 +25,8 @@ class RandomSearch {
   void suggest(std::size_t variable, std::int64_t value);
   std::optional<std::int64_t> suggestion(std::size_t variable) const;
 
-  /// Whether there is a model under the assumptions, as far as can be seen soon. The model is in the propagator
-  /// until end().
+  /// Whether there is a model under the assumptions, as far as can be seen soon. The model is in the
+  /// propagator until end().
   bool find(std::span<const int> assumptions);
   /// Takes all decisions back.
   void end();
@@ -52,6 +52,8 @@ class RandomSearch {
   bool assume(std::span<const int> assumptions);
   bool search(Manner& manner, std::size_t assumed);
   bool search(const Manner& manner, std::size_t assumed, std::uint64_t dead_ends);
+  void want_together(std::size_t assumed);
+  void undo_to(std::size_t decisions);
   int decision(std::size_t choice) const;
   int literal(std::size_t choice, std::size_t input) const;
   void want_what_is_left(std::size_t choice);

@@ -243,18 +243,20 @@ TEST_CASE("cli: a rough layout first, then variations of what was liked of it") 
   const Workplace place;
   const std::string script = SOLITAIRE_SOURCE_DIR "/examples/workspace.sol";
   const std::string rough = place / "rough";
-  CHECK(run_solitaire({"generate", script, "--set", "groups=2", "-n", "2", "-o", rough}).status == 0);
+  // Asked for now as well, so that some variation of what comes can be had.
+  const std::vector<std::string> wishes = {"--set",    "groups=2",
+                                           "--pin",    "anywhere/turn=2",
+                                           "--forbid", "make_group[0]/make_sofa[*]/anywhere/turn=1"};
+  std::vector<std::string> first = {"generate", script, "-n", "2", "-o", rough};
+  first.insert(first.end(), wishes.begin(), wishes.end());
+  CHECK(run_solitaire(first).status == 0);
   const json liked = choices_in(place / "rough/workspace-0001.json");
   const std::vector<std::string> keeping = {
       "--pin-file", rough + "/workspace-0001.json",   "--keep", "w", "--keep", "d",
       "--keep",     "make_group[*]/make_table[*]/**",
   };
-  std::vector<std::string> arguments = {"generate", script,
-                                        "--set",    "groups=2",
-                                        "-n",       "4",
-                                        "-o",       place / "final",
-                                        "--pin",    "anywhere/turn=2",
-                                        "--forbid", "make_group[0]/make_sofa[*]/anywhere/turn=1"};
+  std::vector<std::string> arguments = {"generate", script, "-n", "4", "-o", place / "final"};
+  arguments.insert(arguments.end(), wishes.begin(), wishes.end());
   arguments.insert(arguments.end(), keeping.begin(), keeping.end());
   CHECK(run_solitaire(arguments).status == 0);
   const AddressPattern tables("make_group[*]/make_table[*]/**");
