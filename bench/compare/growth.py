@@ -1,8 +1,13 @@
 """What is measured of Solitaire alone: whether solutions stay cheap, and whether they vary as independent ones do."""
+import json
 import random
+import tempfile
+from pathlib import Path
 from statistics import median
 
+import measure as processes
 from diversity import mean_distance
+from paths import problem_file
 from rows import SQUARES
 from systems import Request, Solitaire
 
@@ -17,7 +22,8 @@ SERIES = [("workspace-1", "workspace", {"groups": 1, "most": 21, "aisle": 2, "ch
 def measure(options):
     solitaire = Solitaire("solitaire", options.solitaire)
     return {"series": [series(solitaire, *one, options) for one in (SERIES[2:] if options.quick else SERIES)],
-            "spread": [spread(solitaire, *one) for one in SPREAD]}
+            "spread": [spread(solitaire, *one) for one in SPREAD],
+            "overhead": overhead(solitaire, options)}
 
 
 def series(solitaire, name, problem, params, options):
@@ -30,6 +36,23 @@ def series(solitaire, name, problem, params, options):
     early = (answer.stamps[stamps[1]] - answer.stamps[1]) / WINDOW
     late = ((answer.stamps[MANY] or answer.cpu) - answer.stamps[MANY - WINDOW]) / WINDOW
     return {"name": name, "found": found, "early": early, "late": late, "memory": answer.memory}
+
+
+def overhead(solitaire, options):
+    """Scenes of workspace-6, and what share of the CPU time the solver does not take."""
+    scenes = 20 if options.quick else 100
+    with tempfile.TemporaryDirectory() as folder:
+        settings = [f"--set={name}={value}" for name, value in OVERHEAD_PARAMS.items()]
+        child = processes.run([solitaire.binary, "generate", str(problem_file("workspace", ".sol")), *settings,
+                               f"-n={scenes}", "--jobs=1", "--timings", "--quiet", f"--output={folder}"], options.limit)
+        manifest = Path(folder) / "workspace-run.json"
+        if child.status != 0 or not manifest.exists():
+            return {"found": len(list(Path(folder).glob("*.glb")))}
+        timings = json.loads(manifest.read_text())["timings"]
+    return {"scenes": scenes, "cpu": child.cpu, **timings}
+
+
+OVERHEAD_PARAMS = {"groups": 6, "most": 56, "aisle": 2, "chairs": 2}
 
 
 def spread(solitaire, name, problem, params, independent):
