@@ -18,6 +18,7 @@ bool RandomSearch::find(std::span<const int> assumptions) {
   take_suggestions();
   if (assume(assumptions)) {
     const std::size_t assumed = propagator_.decisions();
+    std::ranges::stable_sort(manners_, {}, &Manner::cost);
     for (Manner& manner : manners_) {
       if (search(manner, assumed)) return true;
     }
@@ -30,7 +31,8 @@ bool RandomSearch::find(std::span<const int> assumptions) {
 void RandomSearch::want_together(std::size_t assumed) {
   undo_to(assumed);
   take_suggestions();
-  search({ChoiceSearch::Order::kFirstFail, 0, 1}, assumed, 0);
+  std::uint64_t none = 0;
+  descend({ChoiceSearch::Order::kFirstFail, 0, 1}, assumed, none);
   for (std::size_t choice = 0; choice < choices_.size(); ++choice) want_what_is_left(choice);
 }
 
@@ -92,27 +94,29 @@ bool RandomSearch::assume(std::span<const int> assumptions) {
 /// What succeeds is worth more effort the next time, what does not is worth less.
 bool RandomSearch::search(Manner& manner, std::size_t assumed) {
   undo_to(assumed);
-  const bool found = search(manner, assumed, manner.dead_ends);
+  std::uint64_t left = manner.dead_ends;
+  const bool found = descend(manner, assumed, left);
+  const auto met = static_cast<double>(found ? manner.dead_ends - left : manner.most_dead_ends);
+  manner.cost = (manner.cost + met) / 2;
   manner.dead_ends = found ? manner.most_dead_ends : manner.dead_ends / 4;
   return found;
 }
 
-bool RandomSearch::search(const Manner& manner, std::size_t assumed, std::uint64_t dead_ends) {
-  for (std::uint64_t met = 0; met <= dead_ends;) {
+/// Until there is no dead end left to be met.
+bool RandomSearch::descend(const Manner& manner, std::size_t assumed, std::uint64_t& left) {
+  while (true) {
     if (propagator_.propagate()) {
       const auto choice = search_.next(manner.order);
       if (!choice) return true;
       want_what_is_left(*choice);
       propagator_.decide(decision(*choice));
     } else {
-      ++met;
-      if (!search_.turn_back(assumed)) return false;
-      if (met % manner.run != 0) continue;
+      if (left == 0 || !search_.turn_back(assumed)) return false;
+      if (--left % manner.run != 0) continue;
       undo_to(assumed);
       for (std::size_t choice = 0; choice < choices_.size(); ++choice) draw(choice);
     }
   }
-  return false;
 }
 
 /// The input that leaves the fewest others open, as it is wanted: of an ordered choice one next to the value

@@ -45,13 +45,14 @@ class RandomSearch {
     std::uint64_t most_dead_ends;              // after which it is given up
     std::uint64_t run;                         // dead ends after which it begins again with other values
     std::uint64_t dead_ends = most_dead_ends;  // of the next search
+    double cost = 0;                           // dead ends of the last searches, the later the more
   };
 
   void take_suggestions();
   void add_choice(std::size_t variable);
   bool assume(std::span<const int> assumptions);
   bool search(Manner& manner, std::size_t assumed);
-  bool search(const Manner& manner, std::size_t assumed, std::uint64_t dead_ends);
+  bool descend(const Manner& manner, std::size_t assumed, std::uint64_t& left);
   void want_together(std::size_t assumed);
   void undo_to(std::size_t decisions);
   int decision(std::size_t choice) const;
