@@ -43,7 +43,10 @@ struct TracingOptions {
   bool diverse = true;                                    // solutions that differ much, at some cost in speed
   SceneDetail scene = SceneDetail::kProvenance;           // of solutions
   unsigned random_signs = CadicalOptions{}.random_signs;  // see there
-  bool relax = false;                                     // asserts may be broken, as few as possible
+  /// Of solutions that look alike one will do: not all need to be found, where they are gone through in
+  /// order.
+  bool one_of_alike = false;
+  bool relax = false;  // asserts may be broken, as few as possible
   /// Seconds from the start of the search for a solution after which it is no longer made better.
   std::optional<double> improvement_time;
   std::vector<Pin> pins;

@@ -22,6 +22,7 @@ std::string key(const KnownChoices& choices) {
 Series::Series(const Program& program, ParamValues params, const TracingOptions& tracing,
                SeriesOptions options)
     : program_(program), params_(std::move(params)), tracing_(tracing), options_(std::move(options)) {
+  tracing_.one_of_alike = options_.distinct_results;
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_);
 }
 

@@ -9,6 +9,7 @@
 #include "engines/distinct.h"
 #include "engines/met_choices.h"
 #include "engines/objective.h"
+#include "engines/symmetry.h"
 #include "engines/wide_trace.h"
 #include "solitaire/trace_reading.h"
 #include "tracegraph/cone.h"
@@ -233,6 +234,7 @@ std::optional<Solution> TracingEngine::next_enumerated() {
     case Enumerator::Outcome::kTooHard:
       may_enumerate_ = false;
       enumerator_.reset();
+      breaking_.clear();
       exclude_all_known();
       return std::nullopt;
   }
@@ -248,6 +250,10 @@ std::unique_ptr<Enumerator> TracingEngine::make_enumerator() {
   std::vector<NodeId> conditions = formula();
   const std::vector<NodeId> fixed = fixed_unmet_choices(graph_, met);
   conditions.insert(conditions.end(), fixed.begin(), fixed.end());
+  if (options_.one_of_alike) {
+    breaking_ = symmetry_breaking(graph_, addresses_, solver_.pass(), conditions);
+    conditions.insert(conditions.end(), breaking_.begin(), breaking_.end());
+  }
   std::erase(conditions, kTrue);
   std::vector<std::size_t> choices;
   for (const auto& [variable, guard] : met) choices.push_back(variable);
@@ -633,6 +639,7 @@ std::vector<NodeId> TracingEngine::formula() {
     conditions.push_back(differs);
   }
   for (const KeptAway& kept : kept_away_) conditions.push_back(distance_condition(kept));
+  conditions.insert(conditions.end(), breaking_.begin(), breaking_.end());
   std::erase(conditions, kTrue);
   return conditions;
 }

@@ -132,6 +132,7 @@ class TracingEngine : public Engine {
   std::int64_t proved_ = INT64_MIN;         // no solution that is left has a lower rank
   bool last_was_best_ = false;              // the last solution has the rank proved_
   std::unique_ptr<Enumerator> enumerator_;  // while it is what finds solutions
+  std::vector<NodeId> breaking_;            // of symmetries, while it does
   bool may_enumerate_;
   std::vector<Known> known_;
   std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // numbers of known solutions

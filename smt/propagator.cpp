@@ -134,7 +134,9 @@ bool Propagator::propagate() {
   if (broken_) return false;
   while (propagated_ < trail_.size()) {
     const int falsified = -trail_[propagated_++];
-    if (!visit_tables(falsified) || !visit_clauses(falsified)) return false;
+    if (visit_tables(falsified) && visit_clauses(falsified)) continue;
+    broken_ = levels_.empty();
+    return false;
   }
   return true;
 }

@@ -30,7 +30,7 @@ class Propagator : public ClauseSink {
   /// Assigns an open literal as a decision, or as a consequence of those before.
   void decide(int literal);
   void assign(int literal);
-  /// Assigns all that follows; false if a clause is broken.
+  /// Assigns all that follows; false if a clause is broken, and for good if that is without decisions.
   bool propagate();
   std::size_t decisions() const { return levels_.size(); }
   /// Takes the last decision back, with all that followed; returns it.

@@ -144,12 +144,20 @@ TEST_CASE(
     "cadical: checks between added clauses and assumptions of both signs agree with trying all values") {
   const StopSignal never;
   std::size_t satisfiable = 0, unsatisfiable = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const bool diverse = seed % 2 == 1;  // then models are found without CaDiCaL, too
     Thicket thicket(seed, false, kFew);
-    const auto solver = make_cadical_solver(thicket.graph, {seed});
+    const auto solver = make_cadical_solver(thicket.graph, {seed, diverse});
+    std::mt19937_64 random(seed);
     Clauses added;
     for (int round = 0; round < 12; ++round) {
       for (int i = 0; i < 15; ++i) thicket.grow();
+      for (std::size_t i = 0; diverse && i < thicket.graph.variables().size(); ++i) {
+        const ChoiceDomain& domain = thicket.graph.variables()[i].domain;
+        const std::int64_t steps = (domain.hi - domain.lo) / domain.step + 1;
+        solver->suggest(i, domain.lo + domain.step * static_cast<std::int64_t>(
+                                                         random() % static_cast<std::uint64_t>(steps)));
+      }
       if (round % 3 == 2) {
         added.push_back(thicket.conditions(4));
         solver->add_clause(added.back());
@@ -171,8 +179,8 @@ TEST_CASE(
       }
     }
   }
-  CHECK(satisfiable > 300);
-  CHECK(unsatisfiable > 300);
+  CHECK(satisfiable > 600);
+  CHECK(unsatisfiable > 600);
 }
 
 TEST_CASE("enumerator: goes through all assignments that fulfil random conditions, each once") {

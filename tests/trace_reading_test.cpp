@@ -73,7 +73,7 @@ TEST_CASE("reading: what a solution comes to can be read off the trace") {
       "nil);",
   };
   for (const char* const text : texts) {
-    INFO(text);
+    INFO(std::string(text));
     Whole whole(text);
     REQUIRE(whole.solutions.size() > 2);
     for (const Solution& solution : whole.solutions) {
@@ -108,7 +108,7 @@ TEST_CASE("reading: what only shows when the program is run is left to that") {
       "unit(range(1, 3));",
   };
   for (const char* const text : texts) {
-    INFO(text);
+    INFO(std::string(text));
     Whole whole(text);
     REQUIRE(!whole.solutions.empty());
     CHECK(!whole.read(whole.solutions.back()));
