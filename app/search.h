@@ -25,6 +25,7 @@ class Search {
 
   /// Without any detail of the scene it is not known, either, how much solutions differ.
   Search(const Session& session, const Options& options, Watchdog& watchdog, SceneDetail scene);
+  ~Search();
   ExitStatus run(
       const Found& found, const Close& close = [](std::optional<Ending>) {});
 

@@ -36,6 +36,7 @@ class Series : public SolutionSource {
   std::optional<Solution> next() override;
   void on_improvement(std::function<void(const Solution&)> told) override;
 
+  bool has_threads() const override { return !searches_.empty(); }
   Ending ending() const override { return ending_; }
   TracingTimes times() const override;
   TracingEngine& engine() override { return *engine_; }

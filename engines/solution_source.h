@@ -23,6 +23,8 @@ class SolutionSource {
   /// As TracingEngine::on_improvement.
   virtual void on_improvement(std::function<void(const Solution&)> told) = 0;
 
+  /// Whether other threads are at work for it until it is destroyed.
+  virtual bool has_threads() const { return false; }
   virtual Ending ending() const = 0;
   /// Of all searches so far, on whichever thread.
   virtual TracingTimes times() const { return engine().times(); }
