@@ -5,7 +5,7 @@ from statistics import median
 from diversity import mean_distance
 from systems import Request
 
-ENOUGH = 10    # further solutions in a run that was cut short, for a time per solution to mean anything
+ENOUGH = 10    # further solutions of a run, for a time per solution to mean anything
 RESOLUTION = 0.001   # seconds: no run can be told from one that takes less
 CHECKED = 2    # solutions of each cell that Solitaire runs again
 
@@ -69,7 +69,7 @@ def add(cell, answer, kind, row):
         if not answer.out_of_time:
             cell.seconds.append(max(answer.solving, RESOLUTION))
             cell.whole.append(answer.preparation + answer.cpu)
-    elif not answer.out_of_time or number > ENOUGH:
+    elif number > ENOUGH:
         cell.seconds.append(max(answer.further, RESOLUTION) / max(number - 1, 1))
     if kind == "diverse" and number > 1:
         cell.distances.append(mean_distance(answer.solutions))

@@ -44,7 +44,7 @@ def overhead(solitaire, options):
     with tempfile.TemporaryDirectory() as folder:
         settings = [f"--set={name}={value}" for name, value in OVERHEAD_PARAMS.items()]
         child = processes.run([solitaire.binary, "generate", str(problem_file("workspace", ".sol")), *settings,
-                               f"-n={scenes}", "--jobs=1", "--timings", "--quiet", f"--output={folder}"], options.limit)
+                               "-n", str(scenes), "--jobs=1", "--timings", "--quiet", f"--output={folder}"], options.limit)
         manifest = Path(folder) / "workspace-run.json"
         if child.status != 0 or not manifest.exists():
             return {"found": len(list(Path(folder).glob("*.glb")))}
