@@ -34,10 +34,6 @@ class Cell:
     def distance(self):
         return median(self.distances) if self.distances else None
 
-    @property
-    def whole_value(self):
-        return median(self.whole) if self.whole else None
-
 
 def measure_cell(row, kind, system, checker, options):
     cell = Cell(limit=options.limit)
