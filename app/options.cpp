@@ -183,11 +183,11 @@ void add_search_options(CLI::App& command, Options& options) {
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
   command
-      .add_option("--diversity", options.diversity,
-                  "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
-                  "'normal' (default) starts each search at random values, 'high' makes it follow more of "
-                  "them, which takes "
-                  "longer")
+      .add_option(
+          "--diversity", options.diversity,
+          "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
+          "'normal' (default) starts each search at random values, 'high' makes it follow more of them, "
+          "which takes longer")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, DiversityLevel>{{"low", DiversityLevel::kLow},
                                                                         {"normal", DiversityLevel::kNormal},

@@ -26,42 +26,34 @@ Json broken_json(const Solution& solution, const SourceSet& sources) {
   return list;
 }
 
+/// The members of a solution's object, from "value" to "choices", piece by piece, since there can be very
+/// many.
+std::string members(const Solution& solution, const SourceSet& sources) {
+  std::string text = fmt::format("\"value\":{}", to_json(solution.execution.value));
+  if (solution.quality) {
+    text += fmt::format(",\"cost\":{},\"optimal\":{},\"broken\":{}", solution.quality->cost,
+                        solution.quality->proved, json_text(broken_json(solution, sources)));
+  }
+  text += ",\"choices\":[";
+  for (const AnsweredChoice& choice : solution.answers) {
+    text += text.back() == '[' ? "{\"at\":" : ",{\"at\":";
+    text += json_string(choice.address);
+    text += ",\"value\":";
+    text += choice.kind == ChoiceKind::kBool ? (choice.value != 0 ? "true" : "false")
+                                             : std::to_string(choice.value);
+    text += '}';
+  }
+  return text + ']';
+}
+
 }  // namespace
 
 Json solution_json(const Solution& solution, const SourceSet& sources) {
-  Json choices = Json::array();
-  for (const AnsweredChoice& choice : solution.answers) {
-    Json value = choice.value;
-    if (choice.kind == ChoiceKind::kBool) value = choice.value != 0;
-    choices.push_back({{"at", choice.address}, {"value", value}});
-  }
-  Json json{{"value", Json::parse(to_json(solution.execution.value))}};
-  if (solution.quality) {
-    json["cost"] = solution.quality->cost;
-    json["optimal"] = solution.quality->proved;
-    json["broken"] = broken_json(solution, sources);
-  }
-  json["choices"] = std::move(choices);
-  return json;
+  return Json::parse('{' + members(solution, sources) + '}');
 }
 
-/// As of solution_json; written here piece by piece, since there can be very many.
 std::string solution_line(std::uint64_t number, const Solution& solution, const SourceSet& sources) {
-  std::string line = fmt::format("{{\"index\":{},\"value\":{}", number, to_json(solution.execution.value));
-  if (solution.quality) {
-    line += fmt::format(",\"cost\":{},\"optimal\":{},\"broken\":{}", solution.quality->cost,
-                        solution.quality->proved, json_text(broken_json(solution, sources)));
-  }
-  line += ",\"choices\":[";
-  for (const AnsweredChoice& choice : solution.answers) {
-    line += line.back() == '[' ? "{\"at\":" : ",{\"at\":";
-    line += json_string(choice.address);
-    line += ",\"value\":";
-    line += choice.kind == ChoiceKind::kBool ? (choice.value != 0 ? "true" : "false")
-                                             : std::to_string(choice.value);
-    line += '}';
-  }
-  return line + "]}\n";
+  return fmt::format("{{\"index\":{},{}}}\n", number, members(solution, sources));
 }
 
 std::string json_text(const Json& json, int indent) {

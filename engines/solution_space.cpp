@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "tracegraph/cone.h"
+
 namespace solitaire {
 namespace {
 
@@ -20,25 +22,6 @@ class DisjointSets {
  private:
   std::vector<std::size_t> parents_;
 };
-
-/// The conjuncts of all conditions, which may have nothing to do with each other.
-std::vector<NodeId> conjuncts(const Graph& graph, std::vector<NodeId> pending) {
-  std::vector<NodeId> found;
-  std::vector<bool> seen(graph.size(), false);
-  while (!pending.empty()) {
-    const NodeId node = pending.back();
-    pending.pop_back();
-    if (node == kTrue || seen[node.index]) continue;
-    seen[node.index] = true;
-    if (graph.node(node).op == Op::kAnd) {
-      for (const NodeId operand : graph.node(node).args()) pending.push_back(operand);
-    } else {
-      found.push_back(node);
-    }
-  }
-  std::reverse(found.begin(), found.end());
-  return found;
-}
 
 /// Nodes are in one set if a condition depends on both.
 DisjointSets tied_nodes(const Graph& graph, const std::vector<NodeId>& conditions) {

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <set>
 
+#include "tracegraph/cone.h"
+
 namespace solitaire {
 namespace {
 
@@ -205,23 +207,6 @@ NodeId in_order(Graph& graph, const Swap& swap) {
     in_order = graph.disjunction(graph.apply(Op::kLtInt, {a, b}), rest);
   }
   return in_order;
-}
-
-std::vector<NodeId> conjuncts(const Graph& graph, std::vector<NodeId> open) {
-  std::vector<NodeId> all;
-  while (!open.empty()) {
-    const NodeId node = open.back();
-    open.pop_back();
-    if (graph.node(node).op == Op::kAnd) {
-      const auto operands = graph.node(node).args();
-      open.insert(open.end(), operands.begin(), operands.end());
-    } else {
-      all.push_back(node);
-    }
-  }
-  std::ranges::sort(all, {}, &NodeId::index);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
 }
 
 }  // namespace

@@ -8,12 +8,6 @@
 namespace solitaire {
 namespace {
 
-/// Whoever reads placements evaluates no choices.
-class NoChoices : public Choices {
- public:
-  std::optional<std::int64_t> answer(AddressId, const ChoiceDomain&) override { return std::nullopt; }
-};
-
 bool values_under(Assignment& assignment, const std::vector<Value>& values, std::vector<Value>& made) {
   made.reserve(values.size());
   for (const Value& value : values) {
@@ -64,7 +58,7 @@ class SceneReader {
  private:
   Assignment& assignment_;
   ParamValues params_;
-  NoChoices choices_;
+  OpenChoices choices_;
   Graph graph_;
   Limits limits_;
   Evaluator evaluator_;

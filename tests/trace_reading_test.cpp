@@ -17,17 +17,12 @@ class AllSides : public Branches {
   std::optional<std::uint32_t> open(const BranchSide&, std::uint32_t) override { return 0; }
 };
 
-class NoAnswers : public Choices {
- public:
-  std::optional<std::int64_t> answer(AddressId, const ChoiceDomain&) override { return std::nullopt; }
-};
-
 /// A program's pass over all executions, and each of its solutions.
 struct Whole {
   explicit Whole(const std::string& text) : program(program_of(text)) {
-    NoAnswers none;
+    OpenChoices open;
     AllSides all;
-    pass = trace(program, {}, none, all, 0, graph, addresses, {});
+    pass = trace(program, {}, open, all, 0, graph, addresses, {});
     ExhaustiveEngine engine(program, {}, {});
     while (auto solution = engine.next()) {
       solution->answers = readable(solution->choices, engine.addresses());

@@ -1,5 +1,6 @@
 #include "tracegraph/cone.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace solitaire {
@@ -17,6 +18,24 @@ std::set<std::size_t> variables_below(const Graph& graph, std::span<const NodeId
     }
   }
   return variables;
+}
+
+std::vector<NodeId> conjuncts(const Graph& graph, std::vector<NodeId> pending) {
+  std::vector<NodeId> found;
+  std::vector<bool> seen(graph.size(), false);
+  while (!pending.empty()) {
+    const NodeId node = pending.back();
+    pending.pop_back();
+    if (node == kTrue || seen[node.index]) continue;
+    seen[node.index] = true;
+    if (graph.node(node).op == Op::kAnd) {
+      for (const NodeId operand : graph.node(node).args()) pending.push_back(operand);
+    } else {
+      found.push_back(node);
+    }
+  }
+  std::reverse(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace solitaire
