@@ -186,8 +186,8 @@ void add_search_options(CLI::App& command, Options& options) {
       .add_option(
           "--diversity", options.diversity,
           "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
-          "'normal' (default) starts each search at random values, 'high' makes it follow more of them, "
-          "which takes longer")
+          "'normal' (default) starts each search at random values, 'high' also without regard to what "
+          "earlier searches met, which takes longer")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, DiversityLevel>{{"low", DiversityLevel::kLow},
                                                                         {"normal", DiversityLevel::kNormal},

@@ -53,7 +53,7 @@ TracingOptions Session::tracing_options() const {
   const DiversityLevel usual = options_.all ? DiversityLevel::kLow : DiversityLevel::kNormal;
   tracing.diverse =
       options_.diversity.value_or(usual) != DiversityLevel::kLow && options_.backend != Backend::kThesis;
-  if (options_.diversity == DiversityLevel::kHigh) tracing.random_signs = 100;
+  tracing.far_apart = options_.diversity == DiversityLevel::kHigh;
   tracing.relax = options_.relax;
   tracing.improvement_time = options_.per_solution;
   tracing.pins = pins_;

@@ -25,7 +25,7 @@ std::unique_ptr<Solver> make_solver(const Graph& graph, const AddressTable& addr
         throw std::logic_error("the dissertation's engine explores at random");
       return make_z3_solver(graph, addresses, {seed, false, true, kThesisWidth});
   }
-  return make_cadical_solver(graph, {seed, options.diverse, options.random_signs});
+  return make_cadical_solver(graph, {seed, options.diverse, options.far_apart});
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ struct TracingOptions {
   Exploration exploration;
   Backend backend = Backend::kCadical;
   std::uint64_t seed = 0;
-  bool diverse = true;                                    // solutions that differ much, at some cost in speed
-  SceneDetail scene = SceneDetail::kProvenance;           // of solutions
-  unsigned random_signs = CadicalOptions{}.random_signs;  // see there
+  bool diverse = true;                           // solutions that differ much, at some cost in speed
+  SceneDetail scene = SceneDetail::kProvenance;  // of solutions
+  bool far_apart = false;                        // and of these the most different ones
   /// Of solutions that look alike one will do: not all need to be found, where they are gone through in
   /// order.
   bool one_of_alike = false;

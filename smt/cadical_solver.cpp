@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "smt/bit_blast.h"
-#include "smt/random_search.h"
+#include "smt/nearby_search.h"
 
 namespace solitaire {
 namespace {
@@ -19,6 +19,14 @@ constexpr int kUnsatisfied = 20;
 
 /// A search that takes suggested values first, whatever it learns, can take forever where things stand close.
 constexpr int kConflictsFollowing = 300;
+
+/// Percent of the searches near suggestions that forget what earlier ones met; the second where models shall
+/// be as far apart as can be.
+constexpr unsigned kForgets[] = {12, 100};
+
+/// Percent of the variables that stand for no choice, and are tried by CaDiCaL with a random sign first where
+/// values are suggested: which of several alternatives holds is then drawn, too.
+constexpr unsigned kRandomSigns[] = {10, 100};
 
 /// CaDiCaL asks all the time, so the clock is looked at only now and then.
 class Stop : public CaDiCaL::Terminator {
@@ -43,7 +51,7 @@ class CadicalSolver : public Solver, private ClauseSink {
         options_(options),
         cnf_(circuit_, *this),
         blaster_(graph, circuit_, cnf_),
-        random_search_(propagator_, cnf_, blaster_, options.seed) {
+        nearby_search_(propagator_, cnf_, blaster_, options.seed, kForgets[options.far_apart ? 1 : 0]) {
     solver_.set("quiet", 1);
     solver_.set("seed", static_cast<int>(options.seed % 2'000'000'000));
     // Tried first, it would find the same solution whatever the seed and the suggestions.
@@ -74,7 +82,7 @@ class CadicalSolver : public Solver, private ClauseSink {
       assumed.push_back(cnf_.assumable(blaster_.condition(assumption)));
     }
     if (signal.stopped()) return Verdict::kStopped;
-    if (search_at_random(assumed)) return Verdict::kSatisfiable;
+    if (search_nearby(assumed, signal)) return Verdict::kSatisfiable;
     tell_cadical();
     switch (solve(signal, assumed)) {
       case kSatisfied:
@@ -94,7 +102,7 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   bool suggest(std::size_t variable, std::int64_t value) override {
     if (!options_.diverse) return false;
-    random_search_.suggest(variable, value);
+    nearby_search_.suggest(variable, value);
     return has_suggestions_ = true;
   }
 
@@ -113,11 +121,11 @@ class CadicalSolver : public Solver, private ClauseSink {
   }
 
   /// Whether a model was found without CaDiCaL.
-  bool search_at_random(std::span<const int> assumed) {
+  bool search_nearby(std::span<const int> assumed, const StopSignal& signal) {
     if (!has_suggestions_) return false;
-    const bool found = random_search_.find(assumed);
+    const bool found = nearby_search_.find(assumed, signal);
     if (found) take_model([this](int variable) { return propagator_.value(variable) > 0; });
-    random_search_.end();
+    nearby_search_.end();
     return found;
   }
 
@@ -125,7 +133,7 @@ class CadicalSolver : public Solver, private ClauseSink {
     for (const int literal : untold_) solver_.add(literal);
     untold_.clear();
     if (!std::exchange(has_suggestions_, false)) return;
-    following_ = random_search_.wanted();
+    following_ = nearby_search_.wanted();
     draw_signs();
     for (const int literal : following_) solver_.phase(literal);
   }
@@ -137,7 +145,7 @@ class CadicalSolver : public Solver, private ClauseSink {
     for (int variable = 1; variable <= cnf_.variables(); ++variable) {
       if (follows[static_cast<std::size_t>(variable)]) continue;
       const std::uint64_t drawn = random_();
-      if (drawn / 2 % 100 < options_.random_signs)
+      if (drawn / 2 % 100 < kRandomSigns[options_.far_apart ? 1 : 0])
         following_.push_back(drawn % 2 == 0 ? variable : -variable);
     }
   }
@@ -177,7 +185,7 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   /// Of a choice on which no condition depends, so that any of its values will do.
   std::int64_t free_value(std::size_t variable) const {
-    return random_search_.suggestion(variable).value_or(graph_.variables()[variable].domain.lo);
+    return nearby_search_.suggestion(variable).value_or(graph_.variables()[variable].domain.lo);
   }
 
   void take_core(std::span<const NodeId> assumptions, const std::vector<int>& assumed) {
@@ -194,7 +202,7 @@ class CadicalSolver : public Solver, private ClauseSink {
   Circuit circuit_;
   Cnf cnf_;
   BitBlaster blaster_;
-  RandomSearch random_search_;
+  NearbySearch nearby_search_;
   std::mt19937_64 random_{options_.seed};
   bool has_suggestions_ = false;     // that CaDiCaL does not know yet
   std::vector<int> untold_;          // clauses that CaDiCaL does not know yet, each ended by 0

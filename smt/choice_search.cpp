@@ -9,19 +9,7 @@ void ChoiceSearch::add(std::vector<int> inputs) {
   choices_.push_back(std::move(inputs));
 }
 
-std::optional<std::size_t> ChoiceSearch::next(Order order) const {
-  if (order == Order::kFirstFail) return first_fail();
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    if (is_open(i)) return i;
-  }
-  return std::nullopt;
-}
-
-bool ChoiceSearch::is_open(std::size_t choice) const {
-  return std::ranges::any_of(choices_[choice], [this](int input) { return propagator_.is_open(input); });
-}
-
-std::optional<std::size_t> ChoiceSearch::first_fail() const {
+std::optional<std::size_t> ChoiceSearch::next() const {
   std::ptrdiff_t fewest = PTRDIFF_MAX;
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < choices_.size(); ++i) {
@@ -34,8 +22,8 @@ std::optional<std::size_t> ChoiceSearch::first_fail() const {
   return best;
 }
 
-bool ChoiceSearch::turn_back(std::size_t kept) {
-  if (propagator_.decisions() <= kept) return false;
+bool ChoiceSearch::turn_back() {
+  if (propagator_.decisions() == 0) return false;
   propagator_.assign(-propagator_.undo());
   return true;
 }

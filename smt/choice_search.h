@@ -18,19 +18,12 @@ class ChoiceSearch {
   void add(std::vector<int> inputs);
   std::span<const int> inputs(std::size_t choice) const { return choices_[choice]; }
 
-  enum class Order : std::uint8_t {
-    kFirstFail,  // the one with the fewest values left
-    kAsAdded,    // the one that was added first
-  };
-  /// The choice to decide next; nothing if all are decided.
-  std::optional<std::size_t> next(Order order) const;
-  /// Turns the last decision round; false if only the first `kept` are left.
-  bool turn_back(std::size_t kept = 0);
+  /// The choice to decide next, which is the one with the fewest values left; nothing if all are decided.
+  std::optional<std::size_t> next() const;
+  /// Turns the last decision round; false if there is none.
+  bool turn_back();
 
  private:
-  bool is_open(std::size_t choice) const;
-  std::optional<std::size_t> first_fail() const;
-
   Propagator& propagator_;
   std::vector<std::vector<int>> choices_;
 };

@@ -64,7 +64,7 @@ class Enumerator::Search {
 
   /// That a choice takes the lowest of its values; 0 if all are decided.
   int next_decision() const {
-    const auto choice = search_.next(ChoiceSearch::Order::kFirstFail);
+    const auto choice = search_.next();
     if (!choice) return 0;
     const auto inputs = search_.inputs(*choice);
     return -*std::ranges::find_if(inputs, [this](int input) { return propagator_.is_open(input); });

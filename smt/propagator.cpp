@@ -32,6 +32,7 @@ void Propagator::reserve(int variable) {
   if (values_.size() >= size) return;
   values_.resize(size);
   watches_.resize(size);
+  assigned_.resize(size / 2);
 }
 
 void Propagator::clause(std::span<const int> literals) {
@@ -97,11 +98,45 @@ void Propagator::add(std::span<const int> literals) {
   } else if (literals.size() == 1) {
     assign(literals[0]);
   } else {
-    const auto start = static_cast<std::uint32_t>(literals_.size());
-    literals_.push_back(static_cast<int>(literals.size()));
-    literals_.insert(literals_.end(), literals.begin(), literals.end());
-    watches_[index(literals[0])].push_back({start, literals[1]});
-    watches_[index(literals[1])].push_back({start, literals[0]});
+    watch(append(literals));
+  }
+}
+
+std::uint32_t Propagator::append(std::span<const int> literals) {
+  const auto start = static_cast<std::uint32_t>(literals_.size());
+  literals_.push_back(static_cast<int>(literals.size()));
+  literals_.insert(literals_.end(), literals.begin(), literals.end());
+  return start;
+}
+
+void Propagator::watch(std::uint32_t clause) {
+  const std::span<const int> literals = literals_of(clause);
+  watches_[index(literals[0])].push_back({clause, literals[1]});
+  watches_[index(literals[1])].push_back({clause, literals[0]});
+}
+
+void Propagator::learn(std::span<const int> clause) {
+  if (clause.size() == 1) {
+    this->clause(clause);  // for the time when the decisions that are left are taken back
+    return assign(clause[0]);
+  }
+  const std::uint32_t start = append(clause);
+  watch(start);
+  learned_.push_back(start);
+  assign(clause[0], {start});
+}
+
+void Propagator::forget_half() {
+  const std::vector<int> all = std::exchange(literals_, {});
+  const std::vector<std::uint32_t> learned = std::exchange(learned_, {});
+  for (std::vector<Watch>& watches : watches_) watches.clear();
+  std::size_t met = 0;
+  for (std::size_t at = 0; at < all.size(); at += static_cast<std::size_t>(all[at]) + 1) {
+    const bool is_learned = met < learned.size() && learned[met] == at;
+    if (is_learned && met++ < learned.size() / 2) continue;
+    const std::uint32_t start = append(std::span(&all[at] + 1, static_cast<std::size_t>(all[at])));
+    watch(start);
+    if (is_learned) learned_.push_back(start);
   }
 }
 
@@ -110,7 +145,9 @@ void Propagator::decide(int literal) {
   assign(literal);
 }
 
-void Propagator::assign(int literal) {
+void Propagator::assign(int literal, Reason reason) {
+  assigned_[static_cast<std::size_t>(std::abs(literal))] = {static_cast<std::uint32_t>(levels_.size()),
+                                                            reason};
   values_[index(literal)] = 1;
   values_[index(-literal)] = -1;
   trail_.push_back(literal);
@@ -130,7 +167,7 @@ int Propagator::undo() {
 }
 
 bool Propagator::propagate() {
-  take_clauses();
+  if (levels_.empty()) take_clauses();
   if (broken_) return false;
   while (propagated_ < trail_.size()) {
     const int falsified = -trail_[propagated_++];
@@ -143,14 +180,20 @@ bool Propagator::propagate() {
 
 bool Propagator::visit_tables(int falsified) {
   for (const int literal : pairs_.of(index(falsified))) {
-    if (value(literal) < 0) return false;
-    if (is_open(literal)) assign(literal);
+    if (value(literal) < 0) {
+      conflict_ = {falsified, literal};
+      return false;
+    }
+    if (is_open(literal)) assign(literal, {kNoClause, falsified});
   }
   for (const auto& [a, b] : triples_.of(index(falsified))) {
     const int value_of_a = value(a), value_of_b = value(b);
     if (value_of_a > 0 || value_of_b > 0 || (value_of_a == 0 && value_of_b == 0)) continue;
-    if (value_of_a == value_of_b) return false;
-    assign(value_of_a == 0 ? a : b);
+    if (value_of_a == value_of_b) {
+      conflict_ = {falsified, a, b};
+      return false;
+    }
+    assign(value_of_a == 0 ? a : b, {kNoClause, falsified, value_of_a == 0 ? b : a});
   }
   return true;
 }
@@ -183,8 +226,11 @@ bool Propagator::visit(Watch& watch, int falsified, bool* moved) {
     *moved = true;
     return true;
   }
-  if (value(clause[0]) < 0) return false;
-  assign(clause[0]);
+  if (value(clause[0]) < 0) {
+    conflict_.assign(clause, clause + size);
+    return false;
+  }
+  assign(clause[0], {watch.clause});
   return true;
 }
 

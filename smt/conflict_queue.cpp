@@ -1,0 +1,39 @@
+#include "smt/conflict_queue.h"
+
+#include <algorithm>
+
+namespace solitaire {
+
+void ConflictQueue::move_to_front(std::span<const int> variables) {
+  if (variables.empty()) return;
+  const auto last = static_cast<std::size_t>(*std::ranges::max_element(variables));
+  if (links_.size() <= last) links_.resize(2 * last + 1);
+  moving_.assign(variables.begin(), variables.end());
+  std::ranges::stable_sort(moving_, {}, [this](int variable) { return link(variable).moved; });
+  for (const int variable : moving_) {
+    if (link(variable).moved != 0) take_out(variable);
+    put_first(variable);
+  }
+}
+
+void ConflictQueue::take_out(int variable) {
+  const auto [ahead, behind, moved] = link(variable);
+  if (next_ == variable) next_ = behind;
+  (ahead != 0 ? link(ahead).behind : front_) = behind;
+  if (behind != 0) link(behind).ahead = ahead;
+}
+
+/// What stands at the front may be open, so the search for open ones begins there.
+void ConflictQueue::put_first(int variable) {
+  if (front_ != 0) link(front_).ahead = variable;
+  link(variable) = {0, front_, ++moves_};
+  front_ = next_ = variable;
+}
+
+void ConflictQueue::clear() {
+  links_.clear();
+  front_ = next_ = 0;
+  moves_ = 0;
+}
+
+}  // namespace solitaire
