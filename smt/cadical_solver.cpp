@@ -44,6 +44,20 @@ class Stop : public CaDiCaL::Terminator {
   bool stopped_ = false;
 };
 
+/// Clauses one after the other, each ended by 0.
+class ClauseList : public ClauseSink {
+ public:
+  explicit ClauseList(std::vector<int>& list) : list_(list) {}
+
+  void clause(std::span<const int> literals) override {
+    list_.insert(list_.end(), literals.begin(), literals.end());
+    list_.push_back(0);
+  }
+
+ private:
+  std::vector<int>& list_;
+};
+
 class CadicalSolver : public Solver, private ClauseSink {
  public:
   CadicalSolver(const Graph& graph, const CadicalOptions& options)
@@ -116,8 +130,12 @@ class CadicalSolver : public Solver, private ClauseSink {
  private:
   void clause(std::span<const int> literals) override {
     if (options_.diverse) propagator_.clause(literals);
-    untold_.insert(untold_.end(), literals.begin(), literals.end());
-    untold_.push_back(0);
+    ClauseList(untold_).clause(literals);
+  }
+
+  void ladder(const Ladder& ladder) override {
+    if (options_.diverse) propagator_.ladder(ladder);
+    untold_ladders_.push_back(ladder);
   }
 
   /// Whether a model was found without CaDiCaL.
@@ -130,8 +148,11 @@ class CadicalSolver : public Solver, private ClauseSink {
   }
 
   void tell_cadical() {
+    ClauseList list(untold_);
+    for (const Ladder& ladder : untold_ladders_) list.ladder(ladder);
     for (const int literal : untold_) solver_.add(literal);
     untold_.clear();
+    untold_ladders_.clear();
     if (!std::exchange(has_suggestions_, false)) return;
     following_ = nearby_search_.wanted();
     draw_signs();
@@ -204,8 +225,9 @@ class CadicalSolver : public Solver, private ClauseSink {
   BitBlaster blaster_;
   NearbySearch nearby_search_;
   std::mt19937_64 random_{options_.seed};
-  bool has_suggestions_ = false;     // that CaDiCaL does not know yet
-  std::vector<int> untold_;          // clauses that CaDiCaL does not know yet, each ended by 0
+  bool has_suggestions_ = false;  // that CaDiCaL does not know yet
+  std::vector<int> untold_;       // clauses that CaDiCaL does not know yet, each ended by 0
+  std::vector<Ladder> untold_ladders_;
   std::vector<int> following_;       // literals that CaDiCaL tries first
   std::vector<std::int64_t> model_;  // by variable
   std::vector<NodeId> core_;

@@ -31,6 +31,15 @@ inline constexpr Literal kTrueLiteral{0, true};
 constexpr bool is_constant(Literal literal) { return literal.gate() == 0; }
 constexpr Literal constant_literal(bool value) { return kFalseLiteral ^ value; }
 
+struct Order;
+
+/// That a number is no larger than another one, or smaller; both are told by order (order.h).
+struct OrderedPair {
+  const Order* smaller = nullptr;
+  const Order* larger = nullptr;
+  bool strict = false;
+};
+
 /// What a literal means, said by whoever makes it: clauses that follow from it, and others from its negation.
 /// No assignment may fulfil both lists.
 class Definition {
@@ -38,6 +47,8 @@ class Definition {
   using Emit = std::function<void(std::initializer_list<Literal> clause)>;
   virtual ~Definition() = default;
   virtual void write(bool negated, const Emit& emit) const = 0;
+  /// The same, if it can be said so, by comparisons that all hold; else nothing.
+  virtual std::vector<OrderedPair> comparisons(bool /*negated*/) const { return {}; }
 };
 
 /// A hash-consed circuit: equal gates are one, and none has a constant, equal or opposite operands, as all

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "smt/order.h"
+
 namespace solitaire {
 namespace {
 
@@ -11,6 +13,14 @@ namespace {
 constexpr std::size_t kMaxRepeated = 3;
 
 }  // namespace
+
+void ClauseSink::ladder(const Ladder& ladder) {
+  for (std::uint32_t i = 0; i < ladder.count; ++i) {
+    const int literals[] = {-ladder.guard, -(*ladder.lower)[ladder.first + i],
+                            (*ladder.upper)[ladder.base + i]};
+    clause(literals);
+  }
+}
 
 void Cnf::add_clause(std::span<const Literal> literals) {
   for (const Literal literal : literals) circuit_.use(literal);
@@ -141,10 +151,65 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
       push({a ^ negated, c ^ negated});
       return push({b ^ negated, c ^ negated});
     case Circuit::Kind::kDefined:
-      if (!rest.literals.empty()) return circuit_.definition(literal).write(negated, push);
-      return circuit_.definition(literal).write(
-          negated, [&](std::initializer_list<Literal> literals) { write_plain(rest.head, literals); });
+      return push_definition(circuit_.definition(literal), negated, rest);
   }
+}
+
+void Cnf::push_definition(const Definition& definition, bool negated, const Clause& rest) {
+  if (!rest.literals.empty()) {
+    definition.write(negated, [&](std::initializer_list<Literal> literals) {
+      clauses_.push_back(rest);
+      clauses_.back().literals.insert(clauses_.back().literals.end(), literals);
+    });
+    return;
+  }
+  const std::vector<OrderedPair> comparisons = definition.comparisons(negated);
+  if (comparisons.empty() || rest.head == 0) {
+    const auto write = [&](std::initializer_list<Literal> literals) { write_plain(rest.head, literals); };
+    return definition.write(negated, write);
+  }
+  for (const OrderedPair& pair : comparisons) write_comparison(rest.head, pair);
+}
+
+/// A ladder for each run of neighbouring values. What the lowest value implies, and that those are out which
+/// imply more than there is, are clauses of their own.
+void Cnf::write_comparison(int head, const OrderedPair& pair) {
+  const auto& [smaller, larger, strict] = pair;
+  const std::int64_t offset = strict ? 1 : 0;
+  write_plain(head, {larger->at_least(smaller->values.front() + offset)});
+  Ladder ladder{-head, &chain(*smaller, true), &chain(*larger, false)};
+  for (std::uint32_t i = 0; i < smaller->reached.size(); ++i) {
+    const std::size_t implied = larger->position(smaller->values[i + 1] + offset);
+    if (implied == larger->size()) {
+      write_plain(head, {!smaller->reached[i]});
+      break;
+    }
+    if (implied == 0) continue;
+    const auto at = static_cast<std::uint32_t>(implied - 1);
+    if (ladder.count > 0 && at == ladder.base + ladder.count) {
+      ++ladder.count;
+      continue;
+    }
+    if (ladder.count > 0) sink_.ladder(ladder);
+    ladder.first = i;
+    ladder.base = at;
+    ladder.count = 1;
+  }
+  if (ladder.count > 0) sink_.ladder(ladder);
+}
+
+/// The numbers of an order's literals, and the definitions of all in the direction in which a clause with
+/// them needs them.
+const std::vector<int>& Cnf::chain(const Order& order, bool negated) {
+  std::unique_ptr<Chain>& chain = chains_[&order];
+  if (chain == nullptr) {
+    chain = std::make_unique<Chain>();
+    for (const Literal literal : order.reached) chain->literals.push_back(number(literal));
+  }
+  if (!std::exchange(chain->demanded[negated ? 1 : 0], true)) {
+    for (const Literal literal : order.reached) demand(literal ^ negated);
+  }
+  return chain->literals;
 }
 
 void Cnf::push_conjuncts(Literal conjunction, const Clause& rest) {

@@ -1,17 +1,30 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "smt/circuit.h"
 
 namespace solitaire {
 
+/// Clauses between two numbers told by order, each a chain of literals of which those up to some place hold:
+/// where the guard holds, lower[first + i] implies upper[base + i] for each i < count.
+struct Ladder {
+  int guard = 0;
+  const std::vector<int>* lower = nullptr;  // of the Cnf, which has one for each number
+  const std::vector<int>* upper = nullptr;
+  std::uint32_t first = 0, base = 0, count = 0;
+};
+
 /// Receives clauses. A literal is the number of a variable, from 1 on, or its negative.
 class ClauseSink {
  public:
   virtual ~ClauseSink() = default;
   virtual void clause(std::span<const int> literals) = 0;
+  /// By default, all of its clauses.
+  virtual void ladder(const Ladder& ladder);
 };
 
 /// Writes what is required of a circuit's literals as clauses.
@@ -37,6 +50,10 @@ class Cnf {
   int known_variable(Literal input) const;
 
  private:
+  struct Chain {
+    std::vector<int> literals;
+    bool demanded[2] = {false, false};  // not negated, negated
+  };
   struct Clause {
     int head = 0;  // a literal as the sink knows it that stands before the others; 0: none
     std::vector<Literal> literals;
@@ -47,8 +64,11 @@ class Cnf {
   void write_plain(int head, std::initializer_list<Literal> literals);
   bool flatten(std::vector<Literal>& literals) const;
   bool distribute(const Clause& clause);
+  void write_comparison(int head, const OrderedPair& pair);
+  const std::vector<int>& chain(const Order& order, bool negated);
   void define(Literal literal);
   void push_meaning(Literal literal, const Clause& rest);
+  void push_definition(const Definition& definition, bool negated, const Clause& rest);
   void push_conjuncts(Literal conjunction, const Clause& rest);
   int demand(Literal literal);
   int number(Literal literal);
@@ -73,6 +93,7 @@ class Cnf {
   std::vector<Clause> clauses_;       // to be written
   std::vector<Literal> definitions_;  // to be written
   std::vector<int> buffer_;
+  std::unordered_map<const Order*, std::unique_ptr<Chain>> chains_;
 };
 
 }  // namespace solitaire

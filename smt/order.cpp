@@ -8,7 +8,8 @@ namespace {
 
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && a < 0 ? 1 : 0); }
 
-/// A number that can have these values. Of those that no value of the literals leads to, none is kept.
+/// A number that can have these values. Of those that no value of the literals leads to, none is kept. That a
+/// value is always reached may show only at a later one.
 template <class AtLeast>
 Order make(std::vector<std::int64_t> values, AtLeast at_least) {
   std::sort(values.begin(), values.end());
@@ -17,8 +18,9 @@ Order make(std::vector<std::int64_t> values, AtLeast at_least) {
   for (std::size_t i = 1; i < values.size(); ++i) {
     const Literal reached = at_least(values[i]);
     if (reached == kFalseLiteral) break;
-    const bool unreachable = reached == (made.reached.empty() ? kTrueLiteral : made.reached.back());
-    if (unreachable) {
+    if (reached == kTrueLiteral) {
+      made = {{values[i]}, {}};
+    } else if (!made.reached.empty() && reached == made.reached.back()) {
       made.values.back() = values[i];
     } else {
       made.values.push_back(values[i]);
@@ -42,6 +44,11 @@ void use(Circuit& circuit, const Order& order) {
   }
 }
 
+void write_comparison(const OrderedPair& pair, const Definition::Emit& emit) {
+  for (const std::int64_t value : pair.smaller->values)
+    emit({!pair.smaller->at_least(value), pair.larger->at_least(value + (pair.strict ? 1 : 0))});
+}
+
 /// What `less` says and its negation, each a list of implications between what the two reach. Written as a
 /// formula of gates, one of the two would be a long disjunction, from which nothing follows in a search.
 class Comparison : public Definition {
@@ -49,11 +56,12 @@ class Comparison : public Definition {
   Comparison(SharedOrder a, SharedOrder b) : a_(std::move(a)), b_(std::move(b)) {}
 
   void write(bool negated, const Emit& emit) const override {
-    if (negated) {
-      for (const std::int64_t value : b_->values) emit({!b_->at_least(value), a_->more_than(value)});
-    } else {
-      for (const std::int64_t value : a_->values) emit({!a_->at_least(value), b_->at_least(value)});
-    }
+    for (const OrderedPair& pair : comparisons(negated)) write_comparison(pair, emit);
+  }
+
+  std::vector<OrderedPair> comparisons(bool negated) const override {
+    if (negated) return {{b_.get(), a_.get(), true}};
+    return {{a_.get(), b_.get(), false}};
   }
 
  private:
@@ -65,16 +73,20 @@ class Equality : public Definition {
   Equality(SharedOrder a, SharedOrder b) : a_(std::move(a)), b_(std::move(b)) {}
 
   void write(bool negated, const Emit& emit) const override {
-    if (negated) {
-      std::vector<std::int64_t> common;
-      std::set_intersection(a_->values.begin(), a_->values.end(), b_->values.begin(), b_->values.end(),
-                            std::back_inserter(common));
-      for (const std::int64_t v : common)
-        emit({!a_->at_least(v), a_->more_than(v), !b_->at_least(v), b_->more_than(v)});
-    } else {
-      for (const std::int64_t value : a_->values) emit({!a_->at_least(value), b_->at_least(value)});
-      for (const std::int64_t value : b_->values) emit({!b_->at_least(value), a_->at_least(value)});
+    if (!negated) {
+      for (const OrderedPair& pair : comparisons(negated)) write_comparison(pair, emit);
+      return;
     }
+    std::vector<std::int64_t> common;
+    std::set_intersection(a_->values.begin(), a_->values.end(), b_->values.begin(), b_->values.end(),
+                          std::back_inserter(common));
+    for (const std::int64_t v : common)
+      emit({!a_->at_least(v), a_->more_than(v), !b_->at_least(v), b_->more_than(v)});
+  }
+
+  std::vector<OrderedPair> comparisons(bool negated) const override {
+    if (negated) return {};
+    return {{a_.get(), b_.get(), false}, {b_.get(), a_.get(), false}};
   }
 
  private:
@@ -88,11 +100,15 @@ Literal is(Circuit& circuit, const Order& a, std::int64_t value) {
 
 }  // namespace
 
+std::size_t Order::position(std::int64_t bound) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(values, bound) - values.begin());
+}
+
 Literal Order::at_least(std::int64_t bound) const {
-  const auto position = std::lower_bound(values.begin(), values.end(), bound) - values.begin();
-  if (position == 0) return kTrueLiteral;
-  if (position == static_cast<std::ptrdiff_t>(values.size())) return kFalseLiteral;
-  return reached[static_cast<std::size_t>(position) - 1];
+  const std::size_t below = position(bound);
+  if (below == 0) return kTrueLiteral;
+  if (below == values.size()) return kFalseLiteral;
+  return reached[below - 1];
 }
 
 Order constant_order(std::int64_t value) { return {{value}, {}}; }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace solitaire {
@@ -15,14 +17,6 @@ void for_each_clause(const std::vector<int>& clauses, Visit visit) {
     visit(std::span(&clauses[at] + 1, size));
     at += size + 1;
   }
-}
-
-/// From how many entries each has to where they start.
-std::vector<std::uint32_t> starts_of(std::vector<std::uint32_t> counts) {
-  std::uint32_t sum = 0;
-  for (std::uint32_t& count : counts) count = std::exchange(sum, sum + count);
-  counts.push_back(sum);
-  return counts;
 }
 
 }  // namespace
@@ -40,8 +34,13 @@ void Propagator::clause(std::span<const int> literals) {
   waiting_.insert(waiting_.end(), literals.begin(), literals.end());
 }
 
+void Propagator::ladder(const Ladder& ladder) {
+  if (has_tables_) return ClauseSink::ladder(ladder);
+  ladders_.push_back(ladder);
+}
+
 void Propagator::take_clauses() {
-  if (waiting_.empty()) return;
+  if (waiting_.empty() && ladders_.empty()) return;
   if (!has_tables_) make_tables();
   for_each_clause(waiting_, [this](std::span<const int> clause) { take(clause); });
   waiting_.clear();
@@ -50,34 +49,88 @@ void Propagator::take_clauses() {
 /// Of the clauses that wait, leaving behind those that they have no place for.
 void Propagator::make_tables() {
   has_tables_ = true;
-  int most = 0;
-  for_each_clause(waiting_, [&](std::span<const int> clause) {
-    for (const int literal : clause) most = std::max(most, std::abs(literal));
+  reserve(largest_waiting());
+  const auto of_size = [this](std::size_t size, const auto& visit) {
+    for_each_clause(waiting_, [&](std::span<const int> clause) {
+      if (clause.size() == size) visit(clause);
+    });
+  };
+  pairs_ = table<int>([&](const auto& put) {
+    of_size(2, [&](std::span<const int> clause) {
+      for (std::size_t i = 0; i < 2; ++i) put(clause[i], clause[1 - i]);
+    });
   });
-  reserve(most);
-  std::vector<std::uint32_t> in_pairs(values_.size()), in_triples(values_.size());
-  for_each_clause(waiting_, [&](std::span<const int> clause) {
-    if (clause.size() != 2 && clause.size() != 3) return;
-    for (const int literal : clause) ++(clause.size() == 2 ? in_pairs : in_triples)[index(literal)];
+  triples_ = table<Two>([&](const auto& put) {
+    of_size(3, [&](std::span<const int> clause) {
+      for (std::size_t i = 0; i < 3; ++i) put(clause[i], {clause[(i + 1) % 3], clause[(i + 2) % 3]});
+    });
   });
-  pairs_.starts = starts_of(std::move(in_pairs));
-  triples_.starts = starts_of(std::move(in_triples));
-  pairs_.entries.resize(pairs_.starts.back());
-  triples_.entries.resize(triples_.starts.back());
-  std::vector<std::uint32_t> next_pair = pairs_.starts, next_triple = triples_.starts;
+  make_ladder_tables();
   std::vector<int> others;
   for_each_clause(waiting_, [&](std::span<const int> clause) {
-    if (clause.size() == 2) {
-      for (std::size_t i = 0; i < 2; ++i) pairs_.entries[next_pair[index(clause[i])]++] = clause[1 - i];
-    } else if (clause.size() == 3) {
-      for (std::size_t i = 0; i < 3; ++i)
-        triples_.entries[next_triple[index(clause[i])]++] = {clause[(i + 1) % 3], clause[(i + 2) % 3]};
-    } else {
-      others.push_back(static_cast<int>(clause.size()));
-      others.insert(others.end(), clause.begin(), clause.end());
-    }
+    if (clause.size() == 2 || clause.size() == 3) return;
+    others.push_back(static_cast<int>(clause.size()));
+    others.insert(others.end(), clause.begin(), clause.end());
   });
   waiting_ = std::move(others);
+}
+
+int Propagator::largest_waiting() const {
+  int most = 0;
+  const auto look = [&](std::span<const int> literals) {
+    for (const int literal : literals) most = std::max(most, std::abs(literal));
+  };
+  for_each_clause(waiting_, look);
+  for (const Ladder& ladder : ladders_) {
+    look({&ladder.guard, 1});
+    look(*ladder.lower);
+    look(*ladder.upper);
+  }
+  return most;
+}
+
+void Propagator::make_ladder_tables() {
+  std::unordered_map<const std::vector<int>*, std::uint32_t> numbers;
+  const auto chain = [&](const std::vector<int>* literals) {
+    const auto [at, is_new] = numbers.try_emplace(literals, static_cast<std::uint32_t>(chains_.size()));
+    const auto size = static_cast<std::uint32_t>(literals->size());
+    if (is_new) chains_.push_back({*literals, {}, {}, 0, size});
+    return at->second;
+  };
+  std::vector<Step> steps;
+  for (const Ladder& ladder : ladders_) {
+    const auto& [guard, lower, upper, first, base, count] = ladder;
+    steps.push_back({guard, chain(lower), chain(upper), first, base, count});
+    chains_[steps.back().lower].as_lower.push_back(steps.back());
+    chains_[steps.back().upper].as_upper.push_back(steps.back());
+  }
+  ladders_ = {};
+  guarded_ = table<Step>([&](const auto& put) {
+    for (const Step& step : steps) put(step.guard, step);
+  });
+  const auto places = [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < chains_.size(); ++i) {
+      const std::span<const int> literals = chains_[i].literals;
+      for (std::uint32_t at = 0; at < literals.size(); ++at) visit(literals[at], Place{i, at});
+    }
+  };
+  lower_places_ =
+      table<Place>([&](const auto& put) { places([&](int literal, Place place) { put(literal, place); }); });
+  upper_places_ =
+      table<Place>([&](const auto& put) { places([&](int literal, Place place) { put(-literal, place); }); });
+}
+
+/// `each` calls with every literal and an entry of it; it is called twice.
+template <class Entry, class Each>
+Propagator::Table<Entry> Propagator::table(Each each) const {
+  Table<Entry> made;
+  made.starts.resize(values_.size() + 1);
+  each([&](int literal, const Entry&) { ++made.starts[index(literal) + 1]; });
+  std::partial_sum(made.starts.begin(), made.starts.end(), made.starts.begin());
+  made.entries.resize(made.starts.back());
+  std::vector<std::uint32_t> next = made.starts;
+  each([&](int literal, const Entry& entry) { made.entries[next[index(literal)]++] = entry; });
+  return made;
 }
 
 void Propagator::take(std::span<const int> literals) {
@@ -141,7 +194,7 @@ void Propagator::forget_half() {
 }
 
 void Propagator::decide(int literal) {
-  levels_.push_back(trail_.size());
+  levels_.push_back({trail_.size(), bounds_.size()});
   assign(literal);
 }
 
@@ -154,15 +207,20 @@ void Propagator::assign(int literal, Reason reason) {
 }
 
 int Propagator::undo() {
-  const std::size_t start = levels_.back();
-  const int decision = trail_[start];
-  for (std::size_t i = start; i < trail_.size(); ++i) {
+  const Level level = levels_.back();
+  const int decision = trail_[level.trail];
+  for (std::size_t i = level.trail; i < trail_.size(); ++i) {
     values_[index(trail_[i])] = 0;
     values_[index(-trail_[i])] = 0;
   }
-  trail_.resize(start);
+  for (; bounds_.size() > level.bounds; bounds_.pop_back()) {
+    Chain& chain = chains_[bounds_.back().chain];
+    chain.reached = bounds_.back().reached;
+    chain.limit = bounds_.back().limit;
+  }
+  trail_.resize(level.trail);
   levels_.pop_back();
-  propagated_ = start;
+  propagated_ = level.trail;
   return decision;
 }
 
@@ -171,7 +229,7 @@ bool Propagator::propagate() {
   if (broken_) return false;
   while (propagated_ < trail_.size()) {
     const int falsified = -trail_[propagated_++];
-    if (visit_tables(falsified) && visit_clauses(falsified)) continue;
+    if (visit_tables(falsified) && visit_ladders(-falsified) && visit_clauses(falsified)) continue;
     broken_ = levels_.empty();
     return false;
   }
@@ -195,6 +253,79 @@ bool Propagator::visit_tables(int falsified) {
     }
     assign(value_of_a == 0 ? a : b, {kNoClause, falsified, value_of_a == 0 ? b : a});
   }
+  return true;
+}
+
+bool Propagator::visit_ladders(int assigned) {
+  const std::size_t at = index(assigned);
+  for (const Place place : lower_places_.of(at)) {
+    if (!raise(place)) return false;
+  }
+  for (const Place place : upper_places_.of(at)) {
+    if (!limit(place)) return false;
+  }
+  for (const Step& ladder : guarded_.of(at)) {
+    if (!apply_reached(ladder) || !apply_limit(ladder)) return false;
+  }
+  return true;
+}
+
+/// A literal holds.
+bool Propagator::raise(Place place) {
+  Chain& chain = chains_[place.chain];
+  if (place.position < chain.reached) return true;
+  bounds_.push_back({place.chain, chain.reached, chain.limit});
+  chain.reached = place.position + 1;
+  return std::ranges::all_of(chain.as_lower, [this](const Step& ladder) { return apply_reached(ladder); });
+}
+
+/// A literal does not hold.
+bool Propagator::limit(Place place) {
+  Chain& chain = chains_[place.chain];
+  if (place.position >= chain.limit) return true;
+  bounds_.push_back({place.chain, chain.reached, chain.limit});
+  chain.limit = place.position;
+  return std::ranges::all_of(chain.as_upper, [this](const Step& ladder) { return apply_limit(ladder); });
+}
+
+/// What follows from how far the lower number reaches.
+bool Propagator::apply_reached(const Step& ladder) {
+  const Chain& lower = chains_[ladder.lower];
+  if (lower.reached <= ladder.first || value(ladder.guard) < 0) return true;
+  const Chain& upper = chains_[ladder.upper];
+  const std::uint32_t at = ladder.base + std::min(lower.reached - 1 - ladder.first, ladder.count - 1);
+  const bool is_out = at >= upper.limit;
+  if (!is_out && is_open(ladder.guard)) return true;
+  return apply(ladder, lower.literals[lower.reached - 1], upper.literals[is_out ? upper.limit : at]);
+}
+
+/// What follows from where the upper number ends.
+bool Propagator::apply_limit(const Step& ladder) {
+  const Chain& upper = chains_[ladder.upper];
+  if (upper.limit >= ladder.base + ladder.count || value(ladder.guard) < 0) return true;
+  const Chain& lower = chains_[ladder.lower];
+  const std::uint32_t at = ladder.first + (upper.limit > ladder.base ? upper.limit - ladder.base : 0);
+  const bool is_reached = at < lower.reached;
+  if (!is_reached && is_open(ladder.guard)) return true;
+  return apply(ladder, lower.literals[is_reached ? lower.reached - 1 : at], upper.literals[upper.limit]);
+}
+
+/// That the guard and the lower literal imply the upper one.
+bool Propagator::apply(const Step& ladder, int lower, int upper) {
+  const int clause[] = {-ladder.guard, -lower, upper};
+  int open = 0;
+  for (const int literal : clause) {
+    const int value = this->value(literal);
+    if (value > 0 || (value == 0 && open != 0)) return true;
+    if (value == 0) open = literal;
+  }
+  if (open == 0) {
+    conflict_.assign(std::begin(clause), std::end(clause));
+    return false;
+  }
+  const int first = clause[0] == open ? clause[1] : clause[0];
+  const int second = clause[2] == open ? clause[1] : clause[2];
+  assign(open, {kNoClause, first, second});
   return true;
 }
 

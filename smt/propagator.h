@@ -12,13 +12,16 @@ namespace solitaire {
 /// are those of ClauseSink.
 ///
 /// Clauses of two and three literals, of which most formulas consist, stand in tables by literal, which are
-/// made once, of those that come before the first propagation. All others have two watched literals.
+/// made once, of those that come before the first propagation. Of the ladders among these, bounds of the two
+/// numbers are compared, so that of the clauses of each only the one that says most is looked at. All other
+/// clauses have two watched literals.
 ///
 /// It keeps why each literal was assigned, from which conflict_analysis.h makes clauses to learn.
 class Propagator : public ClauseSink {
  public:
   /// While nothing is decided only.
   void clause(std::span<const int> literals) override;
+  void ladder(const Ladder& ladder) override;
 
   /// One more than the largest variable.
   std::size_t variables() const { return assigned_.size(); }
@@ -42,7 +45,7 @@ class Propagator : public ClauseSink {
 
   /// What is assigned, in this order, since so many decisions were made.
   std::span<const int> trail(std::size_t decisions = 0) const {
-    return std::span(trail_).subspan(decisions == 0 ? 0 : levels_[decisions - 1]);
+    return std::span(trail_).subspan(decisions == 0 ? 0 : levels_[decisions - 1].trail);
   }
   /// How many decisions had been made when the variable was assigned.
   std::size_t level(int variable) const { return assigned_[static_cast<std::size_t>(variable)].level; }
@@ -92,6 +95,30 @@ class Propagator : public ClauseSink {
   };
   using Two = std::array<int, 2>;
 
+  /// A ladder by the numbers of its chains.
+  struct Step {
+    int guard;
+    std::uint32_t lower, upper;
+    std::uint32_t first, base, count;
+  };
+  /// A number told by order, and how far it is known.
+  struct Chain {
+    std::span<const int> literals;
+    std::vector<Step> as_lower, as_upper;
+    std::uint32_t reached = 0;  // literals before this one hold
+    std::uint32_t limit = 0;    // this one and those behind it do not hold
+  };
+  struct Place {
+    std::uint32_t chain, position;
+  };
+  /// What a chain's bounds were before.
+  struct Bounds {
+    std::uint32_t chain, reached, limit;
+  };
+  struct Level {
+    std::size_t trail, bounds;
+  };
+
   void take_clauses();
   void make_tables();
   void take(std::span<const int> clause);
@@ -102,7 +129,17 @@ class Propagator : public ClauseSink {
   std::span<const int> literals_of(std::uint32_t clause) const {
     return {&literals_[clause] + 1, static_cast<std::size_t>(literals_[clause])};
   }
+  void make_ladder_tables();
+  int largest_waiting() const;
+  template <class Entry, class Each>
+  Table<Entry> table(Each each) const;
   bool visit_tables(int falsified);
+  bool visit_ladders(int assigned);
+  bool raise(Place place);
+  bool limit(Place place);
+  bool apply_reached(const Step& ladder);
+  bool apply_limit(const Step& ladder);
+  bool apply(const Step& ladder, int lower, int upper);
   bool visit_clauses(int falsified);
   bool visit(Watch& watch, int falsified, bool* moved);
 
@@ -110,12 +147,18 @@ class Propagator : public ClauseSink {
   std::vector<Assigned> assigned_;   // by variable
   Table<int> pairs_;                 // of clauses of two, the other literal
   Table<Two> triples_;               // of clauses of three, the others
+  std::vector<Ladder> ladders_;      // before there are tables
+  std::vector<Chain> chains_;
+  std::vector<Bounds> bounds_;  // that were changed, in this order
+  Table<Place> lower_places_;   // by literal that holds: where it stands in lower chains
+  Table<Place> upper_places_;   // by literal that holds: where its negation stands in upper chains
+  Table<Step> guarded_;         // by literal that holds: the ladders whose guard it is
   bool has_tables_ = false;
   std::vector<std::vector<Watch>> watches_;  // by literal
   std::vector<int> literals_;                // of clauses with watches, each behind its length
   std::vector<int> waiting_;                 // clauses since the last propagation, each behind its length
   std::vector<int> trail_;
-  std::vector<std::size_t> levels_;  // where decisions stand in the trail
+  std::vector<Level> levels_;  // where decisions stand
   std::size_t propagated_ = 0;
   bool broken_ = false;
   std::vector<int> conflict_;

@@ -49,7 +49,77 @@ Clause random_clause(std::mt19937_64& random) {
   return clause;
 }
 
+/// A number told by order: each of its literals holds only where the one before it does.
+std::vector<int> random_chain(std::mt19937_64& random, int first, std::size_t size,
+                              std::vector<Clause>& clauses) {
+  std::vector<int> chain;
+  const int sign = random() % 2 == 0 ? 1 : -1;
+  for (std::size_t i = 0; i < size; ++i) {
+    chain.push_back(sign * (first + static_cast<int>(i)));
+    if (i > 0) clauses.push_back({-chain[i], chain[i - 1]});
+  }
+  return chain;
+}
+
 }  // namespace
+
+TEST_CASE("propagator: what follows from ladders is what follows from their clauses") {
+  std::size_t conflicts = 0, consequences = 0;
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    Propagator propagator;
+    propagator.reserve(kVariables);
+    std::vector<Clause> clauses;  // of chains, and others
+    const std::vector<int> chains[] = {random_chain(random, 1, 4, clauses),
+                                       random_chain(random, 5, 3, clauses)};
+    for (std::size_t i = random() % 12; i > 0; --i) clauses.push_back(random_clause(random));
+    for (const Clause& clause : clauses) propagator.clause(clause);
+    for (std::size_t i = 2 + random() % 5; i > 0; --i) {
+      const std::size_t lower = random() % 2;
+      Ladder ladder{0, &chains[lower], &chains[1 - lower]};
+      ladder.guard = (8 + static_cast<int>(random() % 5)) * (random() % 2 == 0 ? 1 : -1);
+      ladder.first = static_cast<std::uint32_t>(random() % ladder.lower->size());
+      ladder.base = static_cast<std::uint32_t>(random() % ladder.upper->size());
+      const std::size_t most =
+          std::min(ladder.lower->size() - ladder.first, ladder.upper->size() - ladder.base);
+      ladder.count = 1 + static_cast<std::uint32_t>(random() % most);
+      propagator.ladder(ladder);
+      for (std::uint32_t at = 0; at < ladder.count; ++at)
+        clauses.push_back(
+            {-ladder.guard, -(*ladder.lower)[ladder.first + at], (*ladder.upper)[ladder.base + at]});
+    }
+    std::vector<int> decisions;
+    for (int step = 0; step < 60; ++step) {
+      Naive naive;
+      for (const int decision : decisions) naive.assign(decision);
+      naive.propagate(clauses);
+      REQUIRE(propagator.propagate() == !naive.broken);
+      conflicts += naive.broken ? 1 : 0;
+      if (naive.broken && decisions.empty()) break;
+      std::vector<int> open;
+      for (int variable = 1; variable <= kVariables && !naive.broken; ++variable) {
+        REQUIRE(propagator.value(variable) == naive.value(variable));
+        if (naive.value(variable) == 0) open.push_back(variable);
+      }
+      consequences += naive.broken ? 0 : kVariables - open.size() - decisions.size();
+      if (!open.empty() && random() % 4 != 0) {
+        const int variable = open[random() % open.size()];
+        decisions.push_back(random() % 2 == 0 ? variable : -variable);
+        propagator.decide(decisions.back());
+      } else {
+        for (std::size_t i = random() % 3; !decisions.empty() && (naive.broken || i > 0);
+             i -= i > 0 ? 1 : 0) {
+          propagator.undo();
+          decisions.pop_back();
+          naive.broken = false;
+        }
+      }
+    }
+  }
+  CHECK(conflicts > 200);
+  CHECK(consequences > 5000);
+}
 
 TEST_CASE("propagator: assigns what follows, also from clauses that come between searches") {
   std::size_t conflicts = 0, consequences = 0;
