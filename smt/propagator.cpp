@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
-#include <unordered_map>
 #include <utility>
 
 namespace solitaire {
@@ -36,11 +34,11 @@ void Propagator::clause(std::span<const int> literals) {
 
 void Propagator::ladder(const Ladder& ladder) {
   if (has_tables_) return ClauseSink::ladder(ladder);
-  ladders_.push_back(ladder);
+  bounds_.add(ladder);
 }
 
 void Propagator::take_clauses() {
-  if (waiting_.empty() && ladders_.empty()) return;
+  if (waiting_.empty() && !bounds_.has_new()) return;
   if (!has_tables_) make_tables();
   for_each_clause(waiting_, [this](std::span<const int> clause) { take(clause); });
   waiting_.clear();
@@ -49,23 +47,24 @@ void Propagator::take_clauses() {
 /// Of the clauses that wait, leaving behind those that they have no place for.
 void Propagator::make_tables() {
   has_tables_ = true;
-  reserve(largest_waiting());
+  reserve_waiting();
   const auto of_size = [this](std::size_t size, const auto& visit) {
     for_each_clause(waiting_, [&](std::span<const int> clause) {
       if (clause.size() == size) visit(clause);
     });
   };
-  pairs_ = table<int>([&](const auto& put) {
-    of_size(2, [&](std::span<const int> clause) {
-      for (std::size_t i = 0; i < 2; ++i) put(clause[i], clause[1 - i]);
-    });
-  });
-  triples_ = table<Two>([&](const auto& put) {
-    of_size(3, [&](std::span<const int> clause) {
-      for (std::size_t i = 0; i < 3; ++i) put(clause[i], {clause[(i + 1) % 3], clause[(i + 2) % 3]});
-    });
-  });
-  make_ladder_tables();
+  pairs_ = {variables(), [&](const auto& put) {
+              of_size(2, [&](std::span<const int> clause) {
+                for (std::size_t i = 0; i < 2; ++i) put(clause[i], clause[1 - i]);
+              });
+            }};
+  triples_ = {variables(), [&](const auto& put) {
+                of_size(3, [&](std::span<const int> clause) {
+                  for (std::size_t i = 0; i < 3; ++i)
+                    put(clause[i], {clause[(i + 1) % 3], clause[(i + 2) % 3]});
+                });
+              }};
+  bounds_.build(variables());
   std::vector<int> others;
   for_each_clause(waiting_, [&](std::span<const int> clause) {
     if (clause.size() == 2 || clause.size() == 3) return;
@@ -75,62 +74,12 @@ void Propagator::make_tables() {
   waiting_ = std::move(others);
 }
 
-int Propagator::largest_waiting() const {
+void Propagator::reserve_waiting() {
   int most = 0;
-  const auto look = [&](std::span<const int> literals) {
-    for (const int literal : literals) most = std::max(most, std::abs(literal));
-  };
-  for_each_clause(waiting_, look);
-  for (const Ladder& ladder : ladders_) {
-    look({&ladder.guard, 1});
-    look(*ladder.lower);
-    look(*ladder.upper);
-  }
-  return most;
-}
-
-void Propagator::make_ladder_tables() {
-  std::unordered_map<const std::vector<int>*, std::uint32_t> numbers;
-  const auto chain = [&](const std::vector<int>* literals) {
-    const auto [at, is_new] = numbers.try_emplace(literals, static_cast<std::uint32_t>(chains_.size()));
-    const auto size = static_cast<std::uint32_t>(literals->size());
-    if (is_new) chains_.push_back({*literals, {}, {}, 0, size});
-    return at->second;
-  };
-  std::vector<Step> steps;
-  for (const Ladder& ladder : ladders_) {
-    const auto& [guard, lower, upper, first, base, count] = ladder;
-    steps.push_back({guard, chain(lower), chain(upper), first, base, count});
-    chains_[steps.back().lower].as_lower.push_back(steps.back());
-    chains_[steps.back().upper].as_upper.push_back(steps.back());
-  }
-  ladders_ = {};
-  guarded_ = table<Step>([&](const auto& put) {
-    for (const Step& step : steps) put(step.guard, step);
-  });
-  const auto places = [&](const auto& visit) {
-    for (std::uint32_t i = 0; i < chains_.size(); ++i) {
-      const std::span<const int> literals = chains_[i].literals;
-      for (std::uint32_t at = 0; at < literals.size(); ++at) visit(literals[at], Place{i, at});
-    }
-  };
-  lower_places_ =
-      table<Place>([&](const auto& put) { places([&](int literal, Place place) { put(literal, place); }); });
-  upper_places_ =
-      table<Place>([&](const auto& put) { places([&](int literal, Place place) { put(-literal, place); }); });
-}
-
-/// `each` calls with every literal and an entry of it; it is called twice.
-template <class Entry, class Each>
-Propagator::Table<Entry> Propagator::table(Each each) const {
-  Table<Entry> made;
-  made.starts.resize(values_.size() + 1);
-  each([&](int literal, const Entry&) { ++made.starts[index(literal) + 1]; });
-  std::partial_sum(made.starts.begin(), made.starts.end(), made.starts.begin());
-  made.entries.resize(made.starts.back());
-  std::vector<std::uint32_t> next = made.starts;
-  each([&](int literal, const Entry& entry) { made.entries[next[index(literal)]++] = entry; });
-  return made;
+  const auto look = [&](int literal) { most = std::max(most, std::abs(literal)); };
+  for_each_clause(waiting_, [&](std::span<const int> clause) { std::ranges::for_each(clause, look); });
+  bounds_.for_each_literal(look);
+  reserve(most);
 }
 
 void Propagator::take(std::span<const int> literals) {
@@ -164,8 +113,8 @@ std::uint32_t Propagator::append(std::span<const int> literals) {
 
 void Propagator::watch(std::uint32_t clause) {
   const std::span<const int> literals = literals_of(clause);
-  watches_[index(literals[0])].push_back({clause, literals[1]});
-  watches_[index(literals[1])].push_back({clause, literals[0]});
+  watches_[literal_index(literals[0])].push_back({clause, literals[1]});
+  watches_[literal_index(literals[1])].push_back({clause, literals[0]});
 }
 
 void Propagator::learn(std::span<const int> clause) {
@@ -194,15 +143,15 @@ void Propagator::forget_half() {
 }
 
 void Propagator::decide(int literal) {
-  levels_.push_back({trail_.size(), bounds_.size()});
+  levels_.push_back({trail_.size(), bounds_.changes()});
   assign(literal);
 }
 
 void Propagator::assign(int literal, Reason reason) {
   assigned_[static_cast<std::size_t>(std::abs(literal))] = {static_cast<std::uint32_t>(levels_.size()),
                                                             reason};
-  values_[index(literal)] = 1;
-  values_[index(-literal)] = -1;
+  values_[literal_index(literal)] = 1;
+  values_[literal_index(-literal)] = -1;
   trail_.push_back(literal);
 }
 
@@ -210,14 +159,10 @@ int Propagator::undo() {
   const Level level = levels_.back();
   const int decision = trail_[level.trail];
   for (std::size_t i = level.trail; i < trail_.size(); ++i) {
-    values_[index(trail_[i])] = 0;
-    values_[index(-trail_[i])] = 0;
+    values_[literal_index(trail_[i])] = 0;
+    values_[literal_index(-trail_[i])] = 0;
   }
-  for (; bounds_.size() > level.bounds; bounds_.pop_back()) {
-    Chain& chain = chains_[bounds_.back().chain];
-    chain.reached = bounds_.back().reached;
-    chain.limit = bounds_.back().limit;
-  }
+  bounds_.undo_to(level.bounds);
   trail_.resize(level.trail);
   levels_.pop_back();
   propagated_ = level.trail;
@@ -229,7 +174,7 @@ bool Propagator::propagate() {
   if (broken_) return false;
   while (propagated_ < trail_.size()) {
     const int falsified = -trail_[propagated_++];
-    if (visit_tables(falsified) && visit_ladders(-falsified) && visit_clauses(falsified)) continue;
+    if (visit_tables(falsified) && visit_bounds(-falsified) && visit_clauses(falsified)) continue;
     broken_ = levels_.empty();
     return false;
   }
@@ -237,14 +182,14 @@ bool Propagator::propagate() {
 }
 
 bool Propagator::visit_tables(int falsified) {
-  for (const int literal : pairs_.of(index(falsified))) {
+  for (const int literal : pairs_.of(falsified)) {
     if (value(literal) < 0) {
       conflict_ = {falsified, literal};
       return false;
     }
     if (is_open(literal)) assign(literal, {kNoClause, falsified});
   }
-  for (const auto& [a, b] : triples_.of(index(falsified))) {
+  for (const auto& [a, b] : triples_.of(falsified)) {
     const int value_of_a = value(a), value_of_b = value(b);
     if (value_of_a > 0 || value_of_b > 0 || (value_of_a == 0 && value_of_b == 0)) continue;
     if (value_of_a == value_of_b) {
@@ -256,63 +201,16 @@ bool Propagator::visit_tables(int falsified) {
   return true;
 }
 
-bool Propagator::visit_ladders(int assigned) {
-  const std::size_t at = index(assigned);
-  for (const Place place : lower_places_.of(at)) {
-    if (!raise(place)) return false;
-  }
-  for (const Place place : upper_places_.of(at)) {
-    if (!limit(place)) return false;
-  }
-  for (const Step& ladder : guarded_.of(at)) {
-    if (!apply_reached(ladder) || !apply_limit(ladder)) return false;
-  }
-  return true;
+bool Propagator::visit_bounds(int assigned) {
+  return bounds_.visit(
+      assigned, [this](int literal) { return value(literal); },
+      [this](int guard, int lower, int upper) {
+        return apply({-guard, -lower, upper});
+      });
 }
 
-/// A literal holds.
-bool Propagator::raise(Place place) {
-  Chain& chain = chains_[place.chain];
-  if (place.position < chain.reached) return true;
-  bounds_.push_back({place.chain, chain.reached, chain.limit});
-  chain.reached = place.position + 1;
-  return std::ranges::all_of(chain.as_lower, [this](const Step& ladder) { return apply_reached(ladder); });
-}
-
-/// A literal does not hold.
-bool Propagator::limit(Place place) {
-  Chain& chain = chains_[place.chain];
-  if (place.position >= chain.limit) return true;
-  bounds_.push_back({place.chain, chain.reached, chain.limit});
-  chain.limit = place.position;
-  return std::ranges::all_of(chain.as_upper, [this](const Step& ladder) { return apply_limit(ladder); });
-}
-
-/// What follows from how far the lower number reaches.
-bool Propagator::apply_reached(const Step& ladder) {
-  const Chain& lower = chains_[ladder.lower];
-  if (lower.reached <= ladder.first || value(ladder.guard) < 0) return true;
-  const Chain& upper = chains_[ladder.upper];
-  const std::uint32_t at = ladder.base + std::min(lower.reached - 1 - ladder.first, ladder.count - 1);
-  const bool is_out = at >= upper.limit;
-  if (!is_out && is_open(ladder.guard)) return true;
-  return apply(ladder, lower.literals[lower.reached - 1], upper.literals[is_out ? upper.limit : at]);
-}
-
-/// What follows from where the upper number ends.
-bool Propagator::apply_limit(const Step& ladder) {
-  const Chain& upper = chains_[ladder.upper];
-  if (upper.limit >= ladder.base + ladder.count || value(ladder.guard) < 0) return true;
-  const Chain& lower = chains_[ladder.lower];
-  const std::uint32_t at = ladder.first + (upper.limit > ladder.base ? upper.limit - ladder.base : 0);
-  const bool is_reached = at < lower.reached;
-  if (!is_reached && is_open(ladder.guard)) return true;
-  return apply(ladder, lower.literals[is_reached ? lower.reached - 1 : at], upper.literals[upper.limit]);
-}
-
-/// That the guard and the lower literal imply the upper one.
-bool Propagator::apply(const Step& ladder, int lower, int upper) {
-  const int clause[] = {-ladder.guard, -lower, upper};
+/// Assigns what is left of a clause, if it is a single literal; false if nothing is.
+bool Propagator::apply(std::array<int, 3> clause) {
   int open = 0;
   for (const int literal : clause) {
     const int value = this->value(literal);
@@ -320,7 +218,7 @@ bool Propagator::apply(const Step& ladder, int lower, int upper) {
     if (value == 0) open = literal;
   }
   if (open == 0) {
-    conflict_.assign(std::begin(clause), std::end(clause));
+    conflict_.assign(clause.begin(), clause.end());
     return false;
   }
   const int first = clause[0] == open ? clause[1] : clause[0];
@@ -331,7 +229,7 @@ bool Propagator::apply(const Step& ladder, int lower, int upper) {
 
 /// Clauses that watch the literal find another one to watch, or what is left of them follows.
 bool Propagator::visit_clauses(int falsified) {
-  std::vector<Watch>& watches = watches_[index(falsified)];
+  std::vector<Watch>& watches = watches_[literal_index(falsified)];
   std::size_t kept = 0;
   bool holds = true;
   for (std::size_t i = 0; i < watches.size(); ++i) {
@@ -353,7 +251,7 @@ bool Propagator::visit(Watch& watch, int falsified, bool* moved) {
   for (int i = 2; i < size; ++i) {
     if (value(clause[i]) < 0) continue;
     std::swap(clause[1], clause[i]);
-    watches_[index(clause[1])].push_back(watch);
+    watches_[literal_index(clause[1])].push_back(watch);
     *moved = true;
     return true;
   }

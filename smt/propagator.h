@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "smt/cnf.h"
+#include "smt/literal_table.h"
+#include "smt/order_bounds.h"
 
 namespace solitaire {
 
@@ -12,9 +14,8 @@ namespace solitaire {
 /// are those of ClauseSink.
 ///
 /// Clauses of two and three literals, of which most formulas consist, stand in tables by literal, which are
-/// made once, of those that come before the first propagation. Of the ladders among these, bounds of the two
-/// numbers are compared, so that of the clauses of each only the one that says most is looked at. All other
-/// clauses have two watched literals.
+/// made once, of those that come before the first propagation; so do ladders (order_bounds.h). All others
+/// have two watched literals.
 ///
 /// It keeps why each literal was assigned, from which conflict_analysis.h makes clauses to learn.
 class Propagator : public ClauseSink {
@@ -27,7 +28,7 @@ class Propagator : public ClauseSink {
   std::size_t variables() const { return assigned_.size(); }
   /// -1 false, 1 true, 0 open.
   int value(int literal) const {
-    const int value = values_[index(literal)];
+    const int value = values_[literal_index(literal)];
     return value;
   }
   bool is_open(int literal) const { return value(literal) == 0; }
@@ -79,42 +80,8 @@ class Propagator : public ClauseSink {
     Reason reason;
   };
 
-  static std::size_t index(int literal) {
-    return literal > 0 ? 2 * static_cast<std::size_t>(literal) : 2 * static_cast<std::size_t>(-literal) + 1;
-  }
-  /// Entries by literal, side by side.
-  template <class Entry>
-  struct Table {
-    std::vector<std::uint32_t> starts;  // one more than there are literals
-    std::vector<Entry> entries;
-
-    std::span<const Entry> of(std::size_t literal) const {
-      if (literal + 1 >= starts.size()) return {};
-      return {entries.data() + starts[literal], entries.data() + starts[literal + 1]};
-    }
-  };
   using Two = std::array<int, 2>;
-
-  /// A ladder by the numbers of its chains.
-  struct Step {
-    int guard;
-    std::uint32_t lower, upper;
-    std::uint32_t first, base, count;
-  };
-  /// A number told by order, and how far it is known.
-  struct Chain {
-    std::span<const int> literals;
-    std::vector<Step> as_lower, as_upper;
-    std::uint32_t reached = 0;  // literals before this one hold
-    std::uint32_t limit = 0;    // this one and those behind it do not hold
-  };
-  struct Place {
-    std::uint32_t chain, position;
-  };
-  /// What a chain's bounds were before.
-  struct Bounds {
-    std::uint32_t chain, reached, limit;
-  };
+  /// Where a decision stands in the trail, and how many changes of bounds came before it.
   struct Level {
     std::size_t trail, bounds;
   };
@@ -129,36 +96,24 @@ class Propagator : public ClauseSink {
   std::span<const int> literals_of(std::uint32_t clause) const {
     return {&literals_[clause] + 1, static_cast<std::size_t>(literals_[clause])};
   }
-  void make_ladder_tables();
-  int largest_waiting() const;
-  template <class Entry, class Each>
-  Table<Entry> table(Each each) const;
+  void reserve_waiting();
   bool visit_tables(int falsified);
-  bool visit_ladders(int assigned);
-  bool raise(Place place);
-  bool limit(Place place);
-  bool apply_reached(const Step& ladder);
-  bool apply_limit(const Step& ladder);
-  bool apply(const Step& ladder, int lower, int upper);
+  bool visit_bounds(int assigned);
+  bool apply(std::array<int, 3> clause);
   bool visit_clauses(int falsified);
   bool visit(Watch& watch, int falsified, bool* moved);
 
   std::vector<signed char> values_;  // by literal
   std::vector<Assigned> assigned_;   // by variable
-  Table<int> pairs_;                 // of clauses of two, the other literal
-  Table<Two> triples_;               // of clauses of three, the others
-  std::vector<Ladder> ladders_;      // before there are tables
-  std::vector<Chain> chains_;
-  std::vector<Bounds> bounds_;  // that were changed, in this order
-  Table<Place> lower_places_;   // by literal that holds: where it stands in lower chains
-  Table<Place> upper_places_;   // by literal that holds: where its negation stands in upper chains
-  Table<Step> guarded_;         // by literal that holds: the ladders whose guard it is
+  LiteralTable<int> pairs_;          // of clauses of two, the other literal
+  LiteralTable<Two> triples_;        // of clauses of three, the others
+  OrderBounds bounds_;               // of ladders
   bool has_tables_ = false;
   std::vector<std::vector<Watch>> watches_;  // by literal
   std::vector<int> literals_;                // of clauses with watches, each behind its length
   std::vector<int> waiting_;                 // clauses since the last propagation, each behind its length
   std::vector<int> trail_;
-  std::vector<Level> levels_;  // where decisions stand
+  std::vector<Level> levels_;  // of decisions
   std::size_t propagated_ = 0;
   bool broken_ = false;
   std::vector<int> conflict_;

@@ -246,16 +246,23 @@ class Gecode(Peer):
         if left < 0.5:
             total.out_of_time = True
             return
-        child = measure.run(self.solving(path, *arguments), left, request.count or None,
-                            lambda line: line.startswith("----------"), request.stamp_at)
+        child = measure.run(self.solving(path, "-s", *arguments), left, request.count or None,
+                            lambda line: line.startswith("----------"), request.stamp_at, ends_itself=True)
         total.cpu += child.cpu
         total.memory = max(total.memory, child.memory)
-        total.start += self.start_cpu(path, "-node", "1")   # it reads the model and stops at the root
+        total.start += self.start_of(child, path)
         values = flatzinc_values(child.lines)
         total.solutions += [choices(request.problem, request.params, solution) for solution in values]
         total.further += further_cpu(child, len(values))
         total.stamps = child.stamps
         total.out_of_time = child.out_of_time
+
+
+    def start_of(self, child, path):
+        """What it did not spend on solving, by its own account; a run that was stopped gives none, and is compared with
+        one that reads the model and stops at the root."""
+        solving = [float(line.partition("=")[2]) for line in child.lines if line.startswith("%%%mzn-stat: solveTime=")]
+        return max(child.cpu - solving[0], 0.0) if solving else self.start_cpu(path, "-node", "1")
 
 
 def flatzinc_values(lines):
