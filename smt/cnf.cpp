@@ -178,8 +178,9 @@ void Cnf::write_comparison(int head, const OrderedPair& pair) {
   const std::int64_t offset = strict ? 1 : 0;
   write_plain(head, {larger->at_least(smaller->values.front() + offset)});
   Ladder ladder{-head, &chain(*smaller, true), &chain(*larger, false)};
+  std::size_t implied = 0;
   for (std::uint32_t i = 0; i < smaller->reached.size(); ++i) {
-    const std::size_t implied = larger->position(smaller->values[i + 1] + offset);
+    while (implied < larger->size() && larger->values[implied] < smaller->values[i + 1] + offset) ++implied;
     if (implied == larger->size()) {
       write_plain(head, {!smaller->reached[i]});
       break;

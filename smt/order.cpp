@@ -100,15 +100,11 @@ Literal is(Circuit& circuit, const Order& a, std::int64_t value) {
 
 }  // namespace
 
-std::size_t Order::position(std::int64_t bound) const {
-  return static_cast<std::size_t>(std::ranges::lower_bound(values, bound) - values.begin());
-}
-
 Literal Order::at_least(std::int64_t bound) const {
-  const std::size_t below = position(bound);
-  if (below == 0) return kTrueLiteral;
-  if (below == values.size()) return kFalseLiteral;
-  return reached[below - 1];
+  const auto position = std::ranges::lower_bound(values, bound) - values.begin();
+  if (position == 0) return kTrueLiteral;
+  if (position == static_cast<std::ptrdiff_t>(values.size())) return kFalseLiteral;
+  return reached[static_cast<std::size_t>(position) - 1];
 }
 
 Order constant_order(std::int64_t value) { return {{value}, {}}; }

@@ -15,8 +15,6 @@ struct Order {
   std::vector<Literal> reached;      // of each value but the first: whether it is no less; never a constant
 
   std::size_t size() const { return values.size(); }
-  /// How many of the values are below the bound.
-  std::size_t position(std::int64_t bound) const;
   /// Whether the number is no less than the bound.
   Literal at_least(std::int64_t bound) const;
   /// Whether it is more than the bound.

@@ -33,9 +33,10 @@ Value Evaluator::call_value(const Value& callee, const CallExpr& site, std::vect
 std::vector<Value> Evaluator::bind(const std::string& name, const std::vector<Parameter>& parameters,
                                    const CallExpr& site, std::vector<Value> positional,
                                    std::vector<std::pair<const Argument*, Value>> named) {
-  const std::string shown = name.empty() ? "this function" : fmt::format("'{}'", name);
+  // Every call comes here, and hardly any needs the text.
+  const auto shown = [&] { return name.empty() ? "this function" : fmt::format("'{}'", name); };
   if (positional.size() > parameters.size()) {
-    mistake(site.span, fmt::format("{} takes {} argument{}, here are {}", shown, parameters.size(),
+    mistake(site.span, fmt::format("{} takes {} argument{}, here are {}", shown(), parameters.size(),
                                    parameters.size() == 1 ? "" : "s", positional.size() + named.size()));
   }
   std::vector<Value> arguments = std::move(positional);
@@ -47,7 +48,7 @@ std::vector<Value> Evaluator::bind(const std::string& name, const std::vector<Pa
       std::vector<std::string> names;
       for (const Parameter& parameter : parameters) names.push_back(parameter.name);
       const std::string nearest = nearest_name(argument->name, names);
-      mistake(argument->name_span, fmt::format("{} has no parameter '{}'", shown, argument->name),
+      mistake(argument->name_span, fmt::format("{} has no parameter '{}'", shown(), argument->name),
               nearest.empty() ? "" : fmt::format("did you mean '{}'?", nearest));
     }
     if (!arguments[i].is<Value::Unset>()) {
@@ -57,7 +58,7 @@ std::vector<Value> Evaluator::bind(const std::string& name, const std::vector<Pa
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (!arguments[i].is<Value::Unset>() || parameters[i].default_value) continue;
-    mistake(site.span, fmt::format("{} needs an argument for '{}'", shown, parameters[i].name));
+    mistake(site.span, fmt::format("{} needs an argument for '{}'", shown(), parameters[i].name));
   }
   return arguments;
 }
