@@ -11,6 +11,10 @@ namespace solitaire {
 
 /// What follows from ladders by bounds: of each number it is known how far it reaches and where it ends, and
 /// two such bounds decide a comparison. So of a ladder's clauses only the one that says most is looked at.
+///
+/// What it gives as a clause is one of the ladder or follows from one by the order of its chains. That order
+/// is what the literals mean; whether clauses say so, too, does not matter: a model of the choices stays one
+/// when every literal gets the value that it means.
 class OrderBounds {
  public:
   /// Before build().
