@@ -20,13 +20,15 @@ constexpr int kUnsatisfied = 20;
 /// A search that takes suggested values first, whatever it learns, can take forever where things stand close.
 constexpr int kConflictsFollowing = 300;
 
-/// Percent of the searches near suggestions that forget what earlier ones met; the second where models shall
-/// be as far apart as can be.
-constexpr unsigned kForgets[] = {12, 100};
-
-/// Percent of the variables that stand for no choice, and are tried by CaDiCaL with a random sign first where
-/// values are suggested: which of several alternatives holds is then drawn, too.
-constexpr unsigned kRandomSigns[] = {10, 100};
+/// What brings models apart, in percent.
+struct Spread {
+  unsigned forgets;  // searches near suggestions that forget what earlier ones met
+  /// Variables that stand for no choice, and are tried by CaDiCaL with a random sign first where values are
+  /// suggested: which of several alternatives holds is then drawn, too.
+  unsigned random_signs;
+};
+constexpr Spread kUsual{12, 10};
+constexpr Spread kFarApart{100, 100};
 
 /// CaDiCaL asks all the time, so the clock is looked at only now and then.
 class Stop : public CaDiCaL::Terminator {
@@ -44,18 +46,17 @@ class Stop : public CaDiCaL::Terminator {
   bool stopped_ = false;
 };
 
-/// Clauses one after the other, each ended by 0.
-class ClauseList : public ClauseSink {
+class CadicalSink : public ClauseSink {
  public:
-  explicit ClauseList(std::vector<int>& list) : list_(list) {}
+  explicit CadicalSink(CaDiCaL::Solver& solver) : solver_(solver) {}
 
   void clause(std::span<const int> literals) override {
-    list_.insert(list_.end(), literals.begin(), literals.end());
-    list_.push_back(0);
+    for (const int literal : literals) solver_.add(literal);
+    solver_.add(0);
   }
 
  private:
-  std::vector<int>& list_;
+  CaDiCaL::Solver& solver_;
 };
 
 class CadicalSolver : public Solver, private ClauseSink {
@@ -63,9 +64,10 @@ class CadicalSolver : public Solver, private ClauseSink {
   CadicalSolver(const Graph& graph, const CadicalOptions& options)
       : graph_(graph),
         options_(options),
+        spread_(options.far_apart ? kFarApart : kUsual),
         cnf_(circuit_, *this),
         blaster_(graph, circuit_, cnf_),
-        nearby_search_(propagator_, cnf_, blaster_, options.seed, kForgets[options.far_apart ? 1 : 0]) {
+        nearby_search_(propagator_, cnf_, blaster_, options.seed, spread_.forgets) {
     solver_.set("quiet", 1);
     solver_.set("seed", static_cast<int>(options.seed % 2'000'000'000));
     // Tried first, it would find the same solution whatever the seed and the suggestions.
@@ -130,7 +132,8 @@ class CadicalSolver : public Solver, private ClauseSink {
  private:
   void clause(std::span<const int> literals) override {
     if (options_.diverse) propagator_.clause(literals);
-    ClauseList(untold_).clause(literals);
+    untold_.insert(untold_.end(), literals.begin(), literals.end());
+    untold_.push_back(0);
   }
 
   void ladder(const Ladder& ladder) override {
@@ -148,9 +151,9 @@ class CadicalSolver : public Solver, private ClauseSink {
   }
 
   void tell_cadical() {
-    ClauseList list(untold_);
-    for (const Ladder& ladder : untold_ladders_) list.ladder(ladder);
     for (const int literal : untold_) solver_.add(literal);
+    CadicalSink sink(solver_);
+    for (const Ladder& ladder : untold_ladders_) sink.ladder(ladder);
     untold_.clear();
     untold_ladders_.clear();
     if (!std::exchange(has_suggestions_, false)) return;
@@ -166,8 +169,7 @@ class CadicalSolver : public Solver, private ClauseSink {
     for (int variable = 1; variable <= cnf_.variables(); ++variable) {
       if (follows[static_cast<std::size_t>(variable)]) continue;
       const std::uint64_t drawn = random_();
-      if (drawn / 2 % 100 < kRandomSigns[options_.far_apart ? 1 : 0])
-        following_.push_back(drawn % 2 == 0 ? variable : -variable);
+      if (drawn / 2 % 100 < spread_.random_signs) following_.push_back(drawn % 2 == 0 ? variable : -variable);
     }
   }
 
@@ -218,6 +220,7 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   const Graph& graph_;
   const CadicalOptions options_;
+  const Spread spread_;
   CaDiCaL::Solver solver_;
   Propagator propagator_;
   Circuit circuit_;

@@ -4,9 +4,12 @@
 
 namespace solitaire {
 
-void ChoiceSearch::add(std::vector<int> inputs) {
-  for (const int input : inputs) propagator_.reserve(input);
-  choices_.push_back(std::move(inputs));
+void ChoiceSearch::add(std::span<const Literal> inputs, Cnf& cnf) {
+  std::vector<int>& variables = choices_.emplace_back();
+  for (const Literal input : inputs) {
+    if (!is_constant(input)) variables.push_back(cnf.variable(input));
+  }
+  for (const int variable : variables) propagator_.reserve(variable);
 }
 
 std::optional<std::size_t> ChoiceSearch::next() const {

@@ -14,8 +14,8 @@ class ChoiceSearch {
  public:
   explicit ChoiceSearch(Propagator& propagator) : propagator_(propagator) {}
 
-  /// A choice, by the variables of the inputs that stand for it.
-  void add(std::vector<int> inputs);
+  /// A choice, by the inputs that stand for it.
+  void add(std::span<const Literal> inputs, Cnf& cnf);
   std::span<const int> inputs(std::size_t choice) const { return choices_[choice]; }
 
   /// The choice to decide next, which is the one with the fewest values left; nothing if all are decided.

@@ -124,10 +124,7 @@ void Cnf::define(Literal literal) {
 
 /// Writes that the literal or the rest holds, in terms of the gate's operands.
 void Cnf::push_meaning(Literal literal, const Clause& rest) {
-  const auto push = [&](std::initializer_list<Literal> literals) {
-    clauses_.push_back(rest);
-    clauses_.back().literals.insert(clauses_.back().literals.end(), literals);
-  };
+  const auto push = [&](std::initializer_list<Literal> literals) { push_clause(rest, literals); };
   const bool negated = literal.negated();
   const auto [a, b, c] = circuit_.gate(literal).operands;
   switch (circuit_.gate(literal).kind) {
@@ -155,13 +152,16 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
   }
 }
 
+/// The rest or the literals.
+void Cnf::push_clause(const Clause& rest, std::initializer_list<Literal> literals) {
+  clauses_.push_back(rest);
+  clauses_.back().literals.insert(clauses_.back().literals.end(), literals);
+}
+
 void Cnf::push_definition(const Definition& definition, bool negated, const Clause& rest) {
   if (!rest.literals.empty()) {
-    definition.write(negated, [&](std::initializer_list<Literal> literals) {
-      clauses_.push_back(rest);
-      clauses_.back().literals.insert(clauses_.back().literals.end(), literals);
-    });
-    return;
+    const auto push = [&](std::initializer_list<Literal> literals) { push_clause(rest, literals); };
+    return definition.write(negated, push);
   }
   const std::vector<OrderedPair> comparisons = definition.comparisons(negated);
   if (comparisons.empty() || rest.head == 0) {
@@ -222,8 +222,7 @@ void Cnf::push_conjuncts(Literal conjunction, const Clause& rest) {
       const auto& operands = circuit_.gate(literal).operands;
       open.insert(open.end(), {operands[1], operands[0]});
     } else {
-      clauses_.push_back(rest);
-      clauses_.back().literals.push_back(literal);
+      push_clause(rest, {literal});
     }
   }
 }

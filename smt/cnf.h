@@ -69,6 +69,7 @@ class Cnf {
   void define(Literal literal);
   void push_meaning(Literal literal, const Clause& rest);
   void push_definition(const Definition& definition, bool negated, const Clause& rest);
+  void push_clause(const Clause& rest, std::initializer_list<Literal> literals);
   void push_conjuncts(Literal conjunction, const Clause& rest);
   int demand(Literal literal);
   int number(Literal literal);

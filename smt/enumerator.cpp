@@ -21,7 +21,7 @@ class Enumerator::Search {
       const Literal holds = blaster_.condition(condition);
       cnf_.add_clause({&holds, 1});
     }
-    for (const std::size_t variable : choices) add_choice(variable);
+    for (const std::size_t variable : choices) search_.add(blaster_.add_choice(variable), cnf_);
   }
 
   Outcome next(const StopSignal& stop) {
@@ -54,14 +54,6 @@ class Enumerator::Search {
   }
 
  private:
-  void add_choice(std::size_t variable) {
-    std::vector<int> inputs;
-    for (const Literal input : blaster_.add_choice(variable)) {
-      if (!is_constant(input)) inputs.push_back(cnf_.variable(input));
-    }
-    search_.add(std::move(inputs));
-  }
-
   /// That a choice takes the lowest of its values; 0 if all are decided.
   int next_decision() const {
     const auto choice = search_.next();

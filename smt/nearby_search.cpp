@@ -71,13 +71,9 @@ void NearbySearch::take_suggestions() {
 }
 
 void NearbySearch::add_choice(std::size_t variable) {
-  std::vector<int> inputs;
-  for (const Literal input : blaster_.choice_inputs(variable)) {
-    if (!is_constant(input)) inputs.push_back(cnf_.variable(input));
-  }
   numbers_[variable] = ordered_.size();
   ordered_.push_back(blaster_.is_ordered(variable));
-  search_.add(std::move(inputs));
+  search_.add(blaster_.choice_inputs(variable), cnf_);
   draw(ordered_.size() - 1);
 }
 

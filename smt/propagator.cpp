@@ -190,13 +190,7 @@ bool Propagator::visit_tables(int falsified) {
     if (is_open(literal)) assign(literal, {kNoClause, falsified});
   }
   for (const auto& [a, b] : triples_.of(falsified)) {
-    const int value_of_a = value(a), value_of_b = value(b);
-    if (value_of_a > 0 || value_of_b > 0 || (value_of_a == 0 && value_of_b == 0)) continue;
-    if (value_of_a == value_of_b) {
-      conflict_ = {falsified, a, b};
-      return false;
-    }
-    assign(value_of_a == 0 ? a : b, {kNoClause, falsified, value_of_a == 0 ? b : a});
+    if (!apply({falsified, a, b})) return false;
   }
   return true;
 }

@@ -10,12 +10,12 @@
 #include "smt/conflict_analysis.h"
 #include "smt/conflict_queue.h"
 #include "smt/propagator.h"
+#include "tests/random_clauses.h"
 
 namespace solitaire {
 namespace {
 
 constexpr int kVariables = 11;
-using Clause = std::vector<int>;
 
 /// The assignments, a bit for each variable, that fulfil the clause.
 bool fulfils(std::uint32_t assignment, const Clause& clause) {
@@ -31,17 +31,6 @@ std::vector<std::uint32_t> models(const std::vector<Clause>& clauses) {
       found.push_back(assignment);
   }
   return found;
-}
-
-Clause random_clause(std::mt19937_64& random) {
-  Clause clause;
-  const std::size_t size = 2 + random() % 4;
-  while (clause.size() < size) {
-    const int variable = 1 + static_cast<int>(random() % kVariables);
-    const auto same = [&](int literal) { return std::abs(literal) == variable; };
-    if (std::ranges::none_of(clause, same)) clause.push_back(random() % 2 == 0 ? variable : -variable);
-  }
-  return clause;
 }
 
 /// A clause of the formula, or one that follows from it, says so.
@@ -69,7 +58,7 @@ TEST_CASE("conflict analysis: learns clauses that follow, assign and decide whet
     propagator.reserve(kVariables);
     std::vector<Clause> clauses;
     for (std::size_t i = 35 + random() % 30; i > 0; --i) {
-      clauses.push_back(random_clause(random));
+      clauses.push_back(random_clause(random, kVariables, 2, 4));
       propagator.clause(clauses.back());
     }
     const std::vector<std::uint32_t> all = models(clauses);
@@ -84,8 +73,7 @@ TEST_CASE("conflict analysis: learns clauses that follow, assign and decide whet
         }
         found = open.empty();
         if (found) break;
-        const int variable = open[random() % open.size()];
-        propagator.decide(random() % 2 == 0 ? variable : -variable);
+        decide_randomly(propagator, open, random);
         continue;
       }
       if (propagator.decisions() == 0) break;

@@ -6,11 +6,12 @@
 #include <random>
 #include <vector>
 
+#include "tests/random_clauses.h"
+
 namespace solitaire {
 namespace {
 
 constexpr int kVariables = 12;
-using Clause = std::vector<int>;
 
 /// By variable: -1 false, 1 true, 0 open; nothing if a clause is broken.
 struct Naive {
@@ -38,15 +39,12 @@ struct Naive {
   }
 };
 
-Clause random_clause(std::mt19937_64& random) {
-  Clause clause;
-  const std::size_t size = 1 + random() % 5;
-  while (clause.size() < size) {
-    const int variable = 1 + static_cast<int>(random() % kVariables);
-    const auto same = [&](int literal) { return std::abs(literal) == variable; };
-    if (std::ranges::none_of(clause, same)) clause.push_back(random() % 2 == 0 ? variable : -variable);
-  }
-  return clause;
+/// What follows from the decisions.
+Naive after(const std::vector<int>& decisions, const std::vector<Clause>& clauses) {
+  Naive naive;
+  for (const int decision : decisions) naive.assign(decision);
+  naive.propagate(clauses);
+  return naive;
 }
 
 /// A number told by order: each of its literals holds only where the one before it does.
@@ -73,7 +71,8 @@ TEST_CASE("propagator: what follows from ladders is what follows from their clau
     std::vector<Clause> clauses;  // of chains, and others
     const std::vector<int> chains[] = {random_chain(random, 1, 4, clauses),
                                        random_chain(random, 5, 3, clauses)};
-    for (std::size_t i = random() % 12; i > 0; --i) clauses.push_back(random_clause(random));
+    for (std::size_t i = random() % 12; i > 0; --i)
+      clauses.push_back(random_clause(random, kVariables, 1, 5));
     for (const Clause& clause : clauses) propagator.clause(clause);
     for (std::size_t i = 2 + random() % 5; i > 0; --i) {
       const std::size_t lower = random() % 2;
@@ -91,9 +90,7 @@ TEST_CASE("propagator: what follows from ladders is what follows from their clau
     }
     std::vector<int> decisions;
     for (int step = 0; step < 60; ++step) {
-      Naive naive;
-      for (const int decision : decisions) naive.assign(decision);
-      naive.propagate(clauses);
+      Naive naive = after(decisions, clauses);
       REQUIRE(propagator.propagate() == !naive.broken);
       conflicts += naive.broken ? 1 : 0;
       if (naive.broken && decisions.empty()) break;
@@ -104,9 +101,7 @@ TEST_CASE("propagator: what follows from ladders is what follows from their clau
       }
       consequences += naive.broken ? 0 : kVariables - open.size() - decisions.size();
       if (!open.empty() && random() % 4 != 0) {
-        const int variable = open[random() % open.size()];
-        decisions.push_back(random() % 2 == 0 ? variable : -variable);
-        propagator.decide(decisions.back());
+        decisions.push_back(decide_randomly(propagator, open, random));
       } else {
         for (std::size_t i = random() % 3; !decisions.empty() && (naive.broken || i > 0);
              i -= i > 0 ? 1 : 0) {
@@ -131,14 +126,12 @@ TEST_CASE("propagator: assigns what follows, also from clauses that come between
     std::vector<Clause> clauses;
     for (int round = 0; round < 4; ++round) {
       for (std::size_t i = random() % 8; i > 0; --i) {
-        clauses.push_back(random_clause(random));
+        clauses.push_back(random_clause(random, kVariables, 1, 5));
         propagator.clause(clauses.back());
       }
       std::vector<int> decisions;
       while (true) {
-        Naive naive;
-        for (const int decision : decisions) naive.assign(decision);
-        naive.propagate(clauses);
+        Naive naive = after(decisions, clauses);
         REQUIRE(propagator.propagate() == !naive.broken);
         if (naive.broken) {
           ++conflicts;
@@ -152,9 +145,7 @@ TEST_CASE("propagator: assigns what follows, also from clauses that come between
         }
         consequences += kVariables - open.size() - decisions.size();
         if (open.empty()) break;
-        const int variable = open[random() % open.size()];
-        decisions.push_back(random() % 2 == 0 ? variable : -variable);
-        propagator.decide(decisions.back());
+        decisions.push_back(decide_randomly(propagator, open, random));
         CHECK(propagator.decisions() == decisions.size());
       }
       while (propagator.decisions() > 0) {

@@ -257,7 +257,6 @@ class Gecode(Peer):
         total.stamps = child.stamps
         total.out_of_time = child.out_of_time
 
-
     def start_of(self, child, path):
         """What it did not spend on solving, by its own account; a run that was stopped gives none, and is compared with
         one that reads the model and stops at the root."""
