@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-#include <z3++.h>
 
+#include "smt/z3_api.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {

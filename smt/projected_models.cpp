@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cadical.hpp>
-#include <cryptominisat5/cryptominisat.h>
 #include <cstdlib>
+#include <new>
+
+#include "smt/cryptominisat/parity_solver.h"
+#include "smt/shared_library.h"
 
 namespace solitaire {
 namespace {
@@ -48,43 +51,45 @@ class Cadical : public ModelSolver {
   CaDiCaL::Solver solver_;
 };
 
+/// As std::bad_alloc, if there is too little memory.
+void require_memory(bool enough) {
+  if (!enough) throw std::bad_alloc();
+}
+
 class CryptoMiniSat : public ModelSolver {
  public:
-  explicit CryptoMiniSat(int variables) {
-    solver_.set_up_for_scalmc();  // for searches with many parities
-    solver_.set_allow_otf_gauss();
-    solver_.new_vars(static_cast<std::size_t>(variables));
-  }
+  explicit CryptoMiniSat(int variables) : solver_(make(variables)) { require_memory(solver_ != nullptr); }
 
   void add(std::span<const int> clause) override {
-    clause_.clear();
-    for (const int literal : clause) clause_.emplace_back(number(std::abs(literal)), literal < 0);
-    solver_.add_clause(clause_);
+    require_memory(solver_->add_clause(clause.data(), clause.size()));
   }
 
   void add_parity(const std::vector<int>& variables, bool odd) {
-    std::vector<std::uint32_t> numbers;
-    for (const int variable : variables) numbers.push_back(number(variable));
-    solver_.add_xor_clause(numbers, odd);
+    require_memory(solver_->add_parity(variables.data(), variables.size(), odd));
   }
 
   bool satisfiable(const StopSignal& stop) override {
+    using enum ParitySolver::Verdict;
     while (true) {
       if (stop.stopped()) throw Interrupted{};
-      solver_.set_max_confl(kConflictsPerLook);
-      const CMSat::lbool verdict = solver_.solve();
-      if (verdict != CMSat::l_Undef) return verdict == CMSat::l_True;
+      const ParitySolver::Verdict verdict = solver_->solve(kConflictsPerLook);
+      require_memory(verdict != kOutOfMemory);
+      if (verdict != kUndecided) return verdict == kSatisfiable;
     }
   }
 
-  bool holds(int variable) override { return solver_.get_model()[number(variable)] == CMSat::l_True; }
+  bool holds(int variable) override { return solver_->holds(variable); }
 
  private:
   static constexpr std::uint64_t kConflictsPerLook = 2000;
-  static std::uint32_t number(int variable) { return static_cast<std::uint32_t>(variable - 1); }
 
-  CMSat::SATSolver solver_;
-  std::vector<CMSat::Lit> clause_;
+  static ParitySolver* make(int variables) {
+    static const SharedLibrary module(SOLITAIRE_CRYPTOMINISAT_MODULE);
+    static const auto make_solver = reinterpret_cast<MakeParitySolver>(module.symbol("make_parity_solver"));
+    return make_solver(variables);
+  }
+
+  std::unique_ptr<ParitySolver> solver_;
 };
 
 /// Brings the parities into reduced echelon form: they say the same with about half as many members less.

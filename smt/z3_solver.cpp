@@ -43,10 +43,32 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// Lack of memory is no other matter in Z3 than elsewhere.
-void throw_bad_alloc(Z3_context, Z3_error_code error) {
-  if (error == Z3_MEMOUT_FAIL) throw std::bad_alloc();
-}
+/// Lack of memory is no other matter in Z3 than elsewhere: `run` throws std::bad_alloc for it. Z3 forgets its
+/// last error as soon as terms are freed, so its handler has to keep it.
+class MemoryErrors {
+ public:
+  explicit MemoryErrors(const z3::context& context) {
+    Z3_set_error_handler(context, [](Z3_context, Z3_error_code error) {
+      if (error == Z3_MEMOUT_FAIL) out_of_memory_ = true;
+    });
+  }
+
+  template <class F>
+  auto run(F action) const {
+    out_of_memory_ = false;
+    try {
+      return action();
+    } catch (const z3::exception&) {
+      if (out_of_memory_) throw std::bad_alloc();
+      throw;
+    }
+  }
+
+ private:
+  static thread_local bool out_of_memory_;
+};
+
+thread_local bool MemoryErrors::out_of_memory_ = false;
 
 class Z3Solver : public Solver {
  public:
@@ -54,7 +76,6 @@ class Z3Solver : public Solver {
       : graph_(graph),
         encoder_(context_, graph, addresses, options.fixed_width),
         solver_(options.default_solver ? z3::solver(context_) : z3::solver(context_, "QF_BV")) {
-    Z3_set_error_handler(context_, throw_bad_alloc);
     z3::params params(context_);
     params.set("random_seed", static_cast<unsigned>(options.seed & 0x7fffffffU));
     if (options.random_phase) params.set("phase", context_.str_symbol("random"));
@@ -63,13 +84,52 @@ class Z3Solver : public Solver {
   }
 
   void add_clause(std::span<const NodeId> conditions) override {
+    errors_.run([&] { add(conditions); });
+  }
+
+  Verdict check(std::span<const NodeId> assumptions, const StopSignal& stop) override {
+    return errors_.run([&] { return check_under(assumptions, stop); });
+  }
+
+  void limit_effort(std::uint64_t conflicts) override {
+    effort_limited_ = conflicts > 0;
+    const auto most = static_cast<unsigned>(std::min<std::uint64_t>(conflicts, UINT_MAX));
+    z3::params params(context_);
+    params.set("max_conflicts", effort_limited_ ? most : UINT_MAX);
+    solver_.set(params);
+  }
+
+  bool suggest(std::size_t, std::int64_t) override { return false; }
+  bool exact() const override { return encoder_.exact(); }
+
+  std::int64_t value(std::size_t variable) override {
+    const auto term = encoder_.choice_term(variable);
+    if (!term) return graph_.variables()[variable].domain.lo;  // nothing depends on it
+    return errors_.run(
+        [&] { return encoder_.decode(variable, model_->eval(*term, true).get_numeral_uint64()); });
+  }
+
+  std::vector<NodeId> core() override {
+    return errors_.run([&] {
+      std::vector<NodeId> core;
+      for (const z3::expr& literal : solver_.unsat_core()) {
+        for (const auto& [id, assumption] : assumed_) {
+          if (id == literal.id()) core.push_back(assumption);
+        }
+      }
+      return core;
+    });
+  }
+
+ private:
+  void add(std::span<const NodeId> conditions) {
     z3::expr_vector terms(context_);
     for (const NodeId condition : conditions) terms.push_back(encoder_.condition(condition));
     add_domains();
     solver_.add(terms.empty() ? context_.bool_val(false) : z3::mk_or(terms));
   }
 
-  Verdict check(std::span<const NodeId> assumptions, const StopSignal& stop) override {
+  Verdict check_under(std::span<const NodeId> assumptions, const StopSignal& stop) {
     z3::expr_vector terms(context_);
     assumed_.clear();
     for (const NodeId assumption : assumptions) {
@@ -94,34 +154,6 @@ class Z3Solver : public Solver {
     return Verdict::kStopped;
   }
 
-  void limit_effort(std::uint64_t conflicts) override {
-    effort_limited_ = conflicts > 0;
-    const auto most = static_cast<unsigned>(std::min<std::uint64_t>(conflicts, UINT_MAX));
-    z3::params params(context_);
-    params.set("max_conflicts", effort_limited_ ? most : UINT_MAX);
-    solver_.set(params);
-  }
-
-  bool suggest(std::size_t, std::int64_t) override { return false; }
-  bool exact() const override { return encoder_.exact(); }
-
-  std::int64_t value(std::size_t variable) override {
-    const auto term = encoder_.choice_term(variable);
-    if (!term) return graph_.variables()[variable].domain.lo;  // nothing depends on it
-    return encoder_.decode(variable, model_->eval(*term, true).get_numeral_uint64());
-  }
-
-  std::vector<NodeId> core() override {
-    std::vector<NodeId> core;
-    for (const z3::expr& literal : solver_.unsat_core()) {
-      for (const auto& [id, assumption] : assumed_) {
-        if (id == literal.id()) core.push_back(assumption);
-      }
-    }
-    return core;
-  }
-
- private:
   /// Assumptions have to be plain literals, so each condition that is assumed gets a name of its own.
   z3::expr literal(NodeId condition) {
     const auto known = literals_.find(condition);
@@ -138,6 +170,7 @@ class Z3Solver : public Solver {
 
   const Graph& graph_;
   z3::context context_;
+  MemoryErrors errors_{context_};
   Encoder encoder_;
   z3::solver solver_;
   std::unique_ptr<z3::model> model_;
@@ -155,15 +188,16 @@ std::unique_ptr<Solver> make_z3_solver(const Graph& graph, const AddressTable& a
 
 std::string to_smt2(const Graph& graph, const AddressTable& addresses, std::span<const NodeId> conditions) {
   z3::context context;
-  Z3_set_error_handler(context, throw_bad_alloc);
-  Encoder encoder(context, graph, addresses);
-  z3::solver solver(context);
-  for (const NodeId condition : conditions) {
-    const z3::expr term = encoder.condition(condition);
-    for (const z3::expr& domain : encoder.take_domains()) solver.add(domain);
-    solver.add(term);
-  }
-  return "(set-logic QF_BV)\n" + solver.to_smt2();
+  return MemoryErrors(context).run([&] {
+    Encoder encoder(context, graph, addresses);
+    z3::solver solver(context);
+    for (const NodeId condition : conditions) {
+      const z3::expr term = encoder.condition(condition);
+      for (const z3::expr& domain : encoder.take_domains()) solver.add(domain);
+      solver.add(term);
+    }
+    return "(set-logic QF_BV)\n" + solver.to_smt2();
+  });
 }
 
 }  // namespace solitaire
