@@ -13,12 +13,12 @@ Value Evaluator::call_value(const Value& callee, const CallExpr& site, std::vect
   if (const auto* builtin = callee.get<Value::BuiltinRef>()) {
     return call_builtin(**builtin, site, std::move(positional), std::move(named));
   }
-  if (const auto* closure = callee.get<Ref<Closure>>()) {
-    const Function& function = *(*closure)->function;
+  if (const Ref<Closure> closure = callee.share<Closure>()) {
+    const Function& function = *closure->function;
     auto arguments = bind(function.name, function.parameters, site, std::move(positional), std::move(named));
     const bool forked = path_.guard_since(current_->region) != kTrue;
-    if (symbolic() && site.site.shared && forked) return call_shared(*closure, site, std::move(arguments));
-    return call_closure(*closure, site, std::move(arguments));
+    if (symbolic() && site.site.shared && forked) return call_shared(closure, site, std::move(arguments));
+    return call_closure(closure, site, std::move(arguments));
   }
   if (const auto* type = callee.object<RecordType>()) {
     return construct(*type, site,

@@ -169,17 +169,6 @@ void Evaluator::update(const Expr& target, std::span<const Value> indices, const
   update(*access.object, indices, [&](Value& object) { update_field(object, access, change); });
 }
 
-namespace {
-
-template <class T>
-T& own(Value& value) {
-  Ref<T>& ref = *value.get<Ref<T>>();
-  if (!ref.unique()) ref = make_ref<T>(*ref);
-  return *ref;
-}
-
-}  // namespace
-
 void Evaluator::update_element(Value& object, const Value& index, Span span, const Change& change) {
   if (object.as_union() != nullptr || index.as_union() != nullptr) {
     object = each_shape(object, [&](const Value& one) {
@@ -196,14 +185,14 @@ void Evaluator::update_element(Value& object, const Value& index, Span span, con
   const std::size_t count = object.as_list()->items.size();
   if (const auto* known = index.get<std::int64_t>()) {
     if (*known < 0 || *known >= static_cast<std::int64_t>(count)) reject(Requirement::kIndex, span);
-    List& list = own<List>(object);
+    List& list = object.own<List>();
     Value& item = list.items[static_cast<std::size_t>(*known)];
     change(item);
     list.nesting = std::max(list.nesting, 1 + nesting(item));
   } else {
     const NodeId node = node_of(graph_, index);
     const auto [first, last] = possible_indices(node, count, span);
-    List& list = own<List>(object);
+    List& list = object.own<List>();
     for (std::int64_t i = first; i <= last; ++i) {
       Value& item = list.items[static_cast<std::size_t>(i)];
       const NodeId here = graph_.apply(Op::kEqInt, {node, graph_.constant(i)});
@@ -234,7 +223,7 @@ void Evaluator::update_field(Value& object, const FieldExpr& target, const Chang
   }
   if (object.object<Record>() == nullptr)
     mistake(target.field_span, fmt::format("{} has no fields", describe(object)));
-  Record& record = own<Record>(object);
+  Record& record = object.own<Record>();
   const auto number = field_number(*record.type, target.field);
   if (!number) {
     mistake(target.field_span, fmt::format("a record {} has no field '{}'", record.type->name, target.field),

@@ -273,9 +273,10 @@ Value Evaluator::comprehension(const ComprehensionExpr& node) {
 }
 
 void Evaluator::append(Value& collected, const Value& element, Span span) {
-  if (auto* list = collected.get<Ref<List>>(); list != nullptr && list->unique()) {
-    (*list)->items.push_back(element);
-    (*list)->nesting = std::max((*list)->nesting, 1 + nesting(element));
+  if (collected.is<List>() && collected.unique()) {
+    List& list = collected.own<List>();
+    list.items.push_back(element);
+    list.nesting = std::max(list.nesting, 1 + nesting(element));
     return check_nesting(collected, span);
   }
   collected = each_shape(collected, [&](const Value& list) {

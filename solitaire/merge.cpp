@@ -8,7 +8,7 @@ bool same_shape(const Value& a, const Value& b) {
   for (const Type type : {Type::kBool, Type::kInt, Type::kFloat}) {
     if (a.has_type(type)) return b.has_type(type);
   }
-  if (a.data().index() != b.data().index()) return false;
+  if (a.kind() != b.kind()) return false;
   if (const List* list = a.as_list()) return list->items.size() == b.as_list()->items.size();
   if (const Record* record = a.object<Record>()) return record->type == b.object<Record>()->type;
   return same(a, b);  // strings, functions: what is not the same differs in shape

@@ -4,8 +4,10 @@
 
 namespace solitaire {
 
-/// What a Ref can hold: counts its own references. Values belong to one evaluation and so to one thread,
-/// which is why the count is a plain one.
+class Value;
+
+/// What a Ref or a Value can hold: counts its own references. Values belong to one evaluation and so to one
+/// thread, which is why the count is a plain one.
 class Counted {
  public:
   Counted() = default;
@@ -18,6 +20,7 @@ class Counted {
  private:
   template <class T>
   friend class Ref;
+  friend class Value;
   mutable std::uint32_t references_ = 0;
 };
 
@@ -40,8 +43,9 @@ class Ref {
   T& operator*() const { return *object_; }
   T* operator->() const { return object_; }
   T* get() const { return object_; }
+  /// Gives its reference up to the caller, who has to count it off.
+  T* release() { return std::exchange(object_, nullptr); }
   explicit operator bool() const { return object_ != nullptr; }
-  bool unique() const { return object_->references_ == 1; }
   friend bool operator==(const Ref&, const Ref&) = default;
 
  private:

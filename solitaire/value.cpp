@@ -7,13 +7,6 @@
 namespace solitaire {
 namespace {
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
 std::string function_name(const Closure& closure) {
   return closure.function->name.empty() ? "fun" : "fun " + closure.function->name;
 }
@@ -44,24 +37,40 @@ void append_json(std::string& json, const Value& value) {
     }
     json += close;
   };
-  std::visit(
-      Overloaded{[&](Value::Unset) { json += "null"; }, [&](Value::Nil) { json += "null"; },
-                 [&](bool b) { json += b ? "true" : "false"; },
-                 [&](std::int64_t i) { json += std::to_string(i); }, [&](double d) { json += dumped(d); },
-                 [&](const Ref<String>& text) { json += json_string(text->text); },
-                 [&](const Ref<List>& list) {
-                   members('[', list->items.size(), ']',
-                           [&](std::size_t i) { append_json(json, list->items[i]); });
-                 },
-                 [&](const Ref<Record>& record) {
-                   members('{', record->fields.size(), '}', [&](std::size_t i) {
-                     json += json_string(record->type->fields[i].name);
-                     json += ':';
-                     append_json(json, record->fields[i]);
-                   });
-                 },
-                 [&](const auto&) { json += json_string(to_text(value)); }},
-      value.data());
+  switch (value.kind()) {
+    case Value::Kind::kUnset:
+    case Value::Kind::kNil:
+      json += "null";
+      break;
+    case Value::Kind::kBool:
+      json += *value.get<bool>() ? "true" : "false";
+      break;
+    case Value::Kind::kInt:
+      json += std::to_string(*value.get<std::int64_t>());
+      break;
+    case Value::Kind::kFloat:
+      json += dumped(*value.get<double>());
+      break;
+    case Value::Kind::kString:
+      json += json_string(value.object<String>()->text);
+      break;
+    case Value::Kind::kList: {
+      const auto& items = value.as_list()->items;
+      members('[', items.size(), ']', [&](std::size_t i) { append_json(json, items[i]); });
+      break;
+    }
+    case Value::Kind::kRecord: {
+      const Record& record = *value.object<Record>();
+      members('{', record.fields.size(), '}', [&](std::size_t i) {
+        json += json_string(record.type->fields[i].name);
+        json += ':';
+        append_json(json, record.fields[i]);
+      });
+      break;
+    }
+    default:
+      json += json_string(to_text(value));
+  }
 }
 
 }  // namespace
@@ -98,7 +107,7 @@ std::uint32_t nesting(const Value& value) {
 
 bool same(const Value& a, const Value& b) {
   if (a.identical(b)) return true;
-  if (a.data().index() != b.data().index()) return false;
+  if (a.kind() != b.kind()) return false;
   if (const String* text = a.object<String>()) {
     const String* other = b.object<String>();
     return text->text == other->text && text->opaque == other->opaque;
@@ -135,17 +144,50 @@ bool is_known(const Value& value) {
 Value Value::string(std::string text) { return make_ref<String>(std::move(text)); }
 Value Value::list(std::vector<Value> items) { return make_ref<List>(std::move(items)); }
 
-bool Value::has_type(Type type) const {
-  if (const auto* symbol = get<Symbol>()) return symbol->type == type;
-  switch (type) {
-    case Type::kBool:
-      return is<bool>();
-    case Type::kInt:
-      return is<std::int64_t>();
-    case Type::kFloat:
-      return is<double>();
+bool Value::identical(const Value& other) const {
+  if (kind_ != other.kind_) return false;
+  switch (kind_) {
+    case Kind::kUnset:
+    case Kind::kNil:
+      return true;
+    case Kind::kBool:
+      return is_.b == other.is_.b;
+    case Kind::kInt:
+      return is_.i == other.is_.i;
+    case Kind::kFloat:
+      return is_.f == other.is_.f;
+    case Kind::kSymbol:
+      return is_.symbol == other.is_.symbol;
+    case Kind::kBuiltin:
+      return is_.builtin == other.is_.builtin;
+    default:
+      return is_.object == other.is_.object;
   }
-  return false;
+}
+
+void Value::destroy() noexcept {
+  switch (kind_) {
+    case Kind::kString:
+      delete static_cast<String*>(is_.object);
+      break;
+    case Kind::kList:
+      delete static_cast<List*>(is_.object);
+      break;
+    case Kind::kRecord:
+      delete static_cast<Record*>(is_.object);
+      break;
+    case Kind::kClosure:
+      delete static_cast<Closure*>(is_.object);
+      break;
+    case Kind::kRecordType:
+      delete static_cast<RecordType*>(is_.object);
+      break;
+    case Kind::kUnion:
+      delete static_cast<Union*>(is_.object);
+      break;
+    default:
+      break;
+  }
 }
 
 void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
@@ -168,16 +210,22 @@ std::string describe(const Value& value) {
   if (value.has_type(Type::kBool)) return "a bool";
   if (value.has_type(Type::kInt)) return "an int";
   if (value.has_type(Type::kFloat)) return "a float";
-  return std::visit(Overloaded{[](Value::Unset) -> std::string { return "nothing yet"; },
-                               [](Value::Nil) -> std::string { return "nil"; },
-                               [](const Ref<String>&) -> std::string { return "a string"; },
-                               [](const Ref<List>&) -> std::string { return "a list"; },
-                               [](const Ref<Record>& record) -> std::string {
-                                 return fmt::format("a record {}", record->type->name);
-                               },
-                               [](const Ref<Union>&) -> std::string { return "one of several"; },
-                               [](const auto&) -> std::string { return "a function"; }},
-                    value.data());
+  switch (value.kind()) {
+    case Value::Kind::kUnset:
+      return "nothing yet";
+    case Value::Kind::kNil:
+      return "nil";
+    case Value::Kind::kString:
+      return "a string";
+    case Value::Kind::kList:
+      return "a list";
+    case Value::Kind::kRecord:
+      return fmt::format("a record {}", value.object<Record>()->type->name);
+    case Value::Kind::kUnion:
+      return "one of several";
+    default:
+      return "a function";
+  }
 }
 
 std::string to_text(const Value& value) {
@@ -190,36 +238,47 @@ std::string to_text(const Value& value, const NodeName& name) {
     for (const Value& item : items) text += (text.empty() ? "" : ", ") + to_text(item, name);
     return text;
   };
-  return std::visit(
-      Overloaded{
-          [](Value::Unset) -> std::string { return "nothing yet"; },
-          [](Value::Nil) -> std::string { return "nil"; },
-          [](bool b) -> std::string { return b ? "true" : "false"; },
-          [](std::int64_t i) -> std::string { return std::to_string(i); },
-          [](double d) -> std::string { return float_text(d); },
-          [&](Symbol symbol) -> std::string { return name(symbol.node); },
-          [&](const Ref<Union>& several) -> std::string {
-            std::string text;
-            for (const auto& [guard, alternative] : several->alternatives) {
-              text += fmt::format("{}{} if {}", text.empty() ? "" : " | ", to_text(alternative, name),
-                                  name(guard));
-            }
-            return "(" + text + ")";
-          },
-          [](const Ref<String>& text) -> std::string { return json_string(text->text); },
-          [&](const Ref<List>& list) -> std::string { return "[" + joined(list->items) + "]"; },
-          [&](const Ref<Record>& record) -> std::string {
-            std::string text;
-            for (std::size_t i = 0; i < record->fields.size(); ++i) {
-              text += fmt::format("{}{}: {}", i == 0 ? "" : ", ", record->type->fields[i].name,
-                                  to_text(record->fields[i], name));
-            }
-            return fmt::format("{}({})", record->type->name, text);
-          },
-          [](const Ref<Closure>& closure) -> std::string { return function_name(*closure); },
-          [](const Ref<RecordType>& type) -> std::string { return "record " + type->declaration->name; },
-          [](Value::BuiltinRef builtin) -> std::string { return fmt::format("fun {}", builtin->name); }},
-      value.data());
+  switch (value.kind()) {
+    case Value::Kind::kUnset:
+      return "nothing yet";
+    case Value::Kind::kNil:
+      return "nil";
+    case Value::Kind::kBool:
+      return *value.get<bool>() ? "true" : "false";
+    case Value::Kind::kInt:
+      return std::to_string(*value.get<std::int64_t>());
+    case Value::Kind::kFloat:
+      return float_text(*value.get<double>());
+    case Value::Kind::kSymbol:
+      return name(value.get<Symbol>()->node);
+    case Value::Kind::kBuiltin:
+      return fmt::format("fun {}", (*value.get<Value::BuiltinRef>())->name);
+    case Value::Kind::kString:
+      return json_string(value.object<String>()->text);
+    case Value::Kind::kList:
+      return "[" + joined(value.as_list()->items) + "]";
+    case Value::Kind::kRecord: {
+      const Record& record = *value.object<Record>();
+      std::string text;
+      for (std::size_t i = 0; i < record.fields.size(); ++i) {
+        text += fmt::format("{}{}: {}", i == 0 ? "" : ", ", record.type->fields[i].name,
+                            to_text(record.fields[i], name));
+      }
+      return fmt::format("{}({})", record.type->name, text);
+    }
+    case Value::Kind::kClosure:
+      return function_name(*value.object<Closure>());
+    case Value::Kind::kRecordType:
+      return "record " + value.object<RecordType>()->declaration->name;
+    case Value::Kind::kUnion: {
+      std::string text;
+      for (const auto& [guard, alternative] : value.as_union()->alternatives) {
+        text += fmt::format("{}{} if {}", text.empty() ? "" : " | ", to_text(alternative, name), name(guard));
+      }
+      return "(" + text + ")";
+    }
+  }
+  return "";
 }
 
 std::string to_json(const Value& value) {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "solitaire/builtin.h"
@@ -29,66 +29,130 @@ struct Union;
 struct Frame;
 
 /// A value of the language. Lists and records are values too: a change copies what others share.
+///
+/// A kind and a word or two, and not a std::variant, since what programs do most is to copy values.
 class Value {
  public:
   /// What a variable is before it is assigned.
-  struct Unset {
-    friend bool operator==(Unset, Unset) { return true; }
-  };
-  struct Nil {
-    friend bool operator==(Nil, Nil) { return true; }
-  };
+  struct Unset {};
+  struct Nil {};
   using BuiltinRef = const Builtin*;
-  using Variant = std::variant<Unset, Nil, bool, std::int64_t, double, Symbol, Ref<String>, Ref<List>,
-                               Ref<Record>, Ref<Closure>, Ref<RecordType>, BuiltinRef, Ref<Union>>;
+  /// The kinds from kString on share objects, which count their references.
+  enum class Kind : std::uint8_t {
+    kUnset,
+    kNil,
+    kBool,
+    kInt,
+    kFloat,
+    kSymbol,
+    kBuiltin,
+    kString,
+    kList,
+    kRecord,
+    kClosure,
+    kRecordType,
+    kUnion
+  };
 
   Value() = default;
-  Value(Nil value) : data_(value) {}
-  Value(bool value) : data_(value) {}
-  Value(std::int64_t value) : data_(value) {}
-  Value(double value) : data_(value) {}
-  Value(Symbol value) : data_(value) {}
-  Value(BuiltinRef value) : data_(value) {}
+  Value(Nil) : kind_(Kind::kNil) {}
+  Value(bool value) : kind_(Kind::kBool) { is_.b = value; }
+  Value(std::int64_t value) : kind_(Kind::kInt) { is_.i = value; }
+  Value(double value) : kind_(Kind::kFloat) { is_.f = value; }
+  Value(Symbol value) : kind_(Kind::kSymbol) { is_.symbol = value; }
+  Value(BuiltinRef value) : kind_(Kind::kBuiltin) { is_.builtin = value; }
   template <class T>
-  Value(Ref<T> object) : data_(std::move(object)) {}
+  Value(Ref<T> object) : kind_(kind_of(static_cast<const T*>(nullptr))) {
+    is_.object = object.release();
+  }
+  Value(const Value& other) noexcept : kind_(other.kind_), is_(other.is_) {
+    if (counted()) ++is_.object->references_;
+  }
+  Value(Value&& other) noexcept : kind_(std::exchange(other.kind_, Kind::kUnset)), is_(other.is_) {}
+  Value& operator=(Value other) noexcept {
+    std::swap(kind_, other.kind_);
+    std::swap(is_, other.is_);
+    return *this;
+  }
+  ~Value() {
+    if (counted() && --is_.object->references_ == 0) destroy();
+  }
 
   static Value nil() { return Nil{}; }
   static Value string(std::string text);
   static Value list(std::vector<Value> items);
 
-  template <class T>
-  const T* get() const {
-    return std::get_if<T>(&data_);
-  }
-  template <class T>
-  T* get() {
-    return std::get_if<T>(&data_);
-  }
+  Kind kind() const { return kind_; }
   template <class T>
   bool is() const {
-    return std::holds_alternative<T>(data_);
+    return kind_ == kind_of(static_cast<const T*>(nullptr));
   }
-
+  /// The bool, int, float, Symbol or BuiltinRef that it is, or null.
+  template <class T>
+  const T* get() const {
+    return is<T>() ? member(static_cast<const T*>(nullptr)) : nullptr;
+  }
   /// The object behind a value of a counted kind, or null.
   template <class T>
   const T* object() const {
-    const auto* ref = get<Ref<T>>();
-    return ref == nullptr ? nullptr : ref->get();
+    return is<T>() ? static_cast<const T*>(is_.object) : nullptr;
   }
-  const List* as_list() const { return object<List>(); }
-  const Union* as_union() const { return object<Union>(); }
-  bool is_function() const { return is<Ref<Closure>>() || is<Ref<RecordType>>() || is<BuiltinRef>(); }
+  /// The same as a reference, which may be empty.
+  template <class T>
+  Ref<T> share() const {
+    return Ref<T>(const_cast<T*>(object<T>()));
+  }
+  /// The object of a value that is a T, to be changed: a copy that is its own if others have it too.
+  template <class T>
+  T& own();
+  /// Whether no other has the object of a value of a counted kind.
+  bool unique() const { return is_.object->references_ == 1; }
+
+  const List* as_list() const;
+  const Union* as_union() const;
+  bool is_function() const { return is<Closure>() || is<RecordType>() || is<BuiltinRef>(); }
   /// Whether a bool, int or float, constant or not, of that type.
   bool has_type(Type type) const;
   bool is_number() const { return has_type(Type::kInt) || has_type(Type::kFloat); }
 
   /// The same object or equal constants; cheap, and false for some equal values.
-  bool identical(const Value& other) const { return data_ == other.data_; }
-
-  const Variant& data() const { return data_; }
+  bool identical(const Value& other) const;
 
  private:
-  Variant data_;
+  union Payload {
+    bool b;
+    std::int64_t i;
+    double f;
+    Symbol symbol;
+    BuiltinRef builtin;
+    Counted* object;
+  };
+
+  // Of the type that a null pointer is to.
+  static constexpr Kind kind_of(const Unset*) { return Kind::kUnset; }
+  static constexpr Kind kind_of(const Nil*) { return Kind::kNil; }
+  static constexpr Kind kind_of(const bool*) { return Kind::kBool; }
+  static constexpr Kind kind_of(const std::int64_t*) { return Kind::kInt; }
+  static constexpr Kind kind_of(const double*) { return Kind::kFloat; }
+  static constexpr Kind kind_of(const Symbol*) { return Kind::kSymbol; }
+  static constexpr Kind kind_of(const BuiltinRef*) { return Kind::kBuiltin; }
+  static constexpr Kind kind_of(const String*) { return Kind::kString; }
+  static constexpr Kind kind_of(const List*) { return Kind::kList; }
+  static constexpr Kind kind_of(const Record*) { return Kind::kRecord; }
+  static constexpr Kind kind_of(const Closure*) { return Kind::kClosure; }
+  static constexpr Kind kind_of(const RecordType*) { return Kind::kRecordType; }
+  static constexpr Kind kind_of(const Union*) { return Kind::kUnion; }
+  const bool* member(const bool*) const { return &is_.b; }
+  const std::int64_t* member(const std::int64_t*) const { return &is_.i; }
+  const double* member(const double*) const { return &is_.f; }
+  const Symbol* member(const Symbol*) const { return &is_.symbol; }
+  const BuiltinRef* member(const BuiltinRef*) const { return &is_.builtin; }
+
+  bool counted() const { return kind_ >= Kind::kString; }
+  void destroy() noexcept;
+
+  Kind kind_ = Kind::kUnset;
+  Payload is_ = {};
 };
 
 struct String : Counted {
@@ -151,6 +215,28 @@ struct Union : Counted {
   explicit Union(std::vector<Alternative> several) : alternatives(std::move(several)) {}
   std::vector<Alternative> alternatives;
 };
+
+inline const List* Value::as_list() const { return object<List>(); }
+inline const Union* Value::as_union() const { return object<Union>(); }
+
+inline bool Value::has_type(Type type) const {
+  if (kind_ == Kind::kSymbol) return is_.symbol.type == type;
+  switch (type) {
+    case Type::kBool:
+      return kind_ == Kind::kBool;
+    case Type::kInt:
+      return kind_ == Kind::kInt;
+    case Type::kFloat:
+      return kind_ == Kind::kFloat;
+  }
+  return false;
+}
+
+template <class T>
+T& Value::own() {
+  if (!unique()) *this = make_ref<T>(*object<T>());
+  return *static_cast<T*>(is_.object);
+}
 
 /// Whether the two are the same value for every execution: equal nodes, constants and members. Decided
 /// without a solver, so false only means that it is not obvious.
