@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <sstream>
 
 #include "app/commands.h"
@@ -30,6 +31,14 @@ ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
   });
 }
 
+/// A subcommand. It gets its options when it is asked for, as there are many in all.
+CLI::App* add_command(CLI::App& app, const char* name, const char* description,
+                      std::function<void(CLI::App&)> add_options) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->preparse_callback([command, add = std::move(add_options)](std::size_t) { add(*command); });
+  return command;
+}
+
 int run_command_line(int argc, char** argv) {
   CLI::App app("Solitaire: scripts with choices and constraints, solved into many different 3D scenes.");
   app.name("solitaire");
@@ -40,54 +49,64 @@ int run_command_line(int argc, char** argv) {
   Options generate_options;
   generate_options.count = 8;
   generate_options.distinct = Distinct::kResult;
-  CLI::App* generating = app.add_subcommand(
-      "generate", "find solutions and write each as a 3D scene (.glb), with a page that shows all");
-  add_program_options(*generating, generate_options);
-  add_search_options(*generating, generate_options);
-  generating->add_option("-o,--output", generate_options.output, "the folder to write to (default out)");
-  generating->add_flag("--json", generate_options.json, "also print solutions, a JSON object a line");
-  generating->add_flag("--resume", generate_options.resume,
-                       "go on with the run that left its solutions in the folder, without repeating any");
-  generating->add_flag("--timings", generate_options.timings,
-                       "keep the times in the .json files, which then differ from run to run");
+  CLI::App* generating = add_command(
+      app, "generate", "find solutions and write each as a 3D scene (.glb), with a page that shows all",
+      [&](CLI::App& command) {
+        add_program_options(command, generate_options);
+        add_search_options(command, generate_options);
+        command.add_option("-o,--output", generate_options.output, "the folder to write to (default out)");
+        command.add_flag("--json", generate_options.json, "also print solutions, a JSON object a line");
+        command.add_flag("--resume", generate_options.resume,
+                         "go on with the run that left its solutions in the folder, without repeating any");
+        command.add_flag("--timings", generate_options.timings,
+                         "keep the times in the .json files, which then differ from run to run");
+      });
 
   Options solve_options;
-  CLI::App* solving = app.add_subcommand("solve", "find solutions and print them");
-  add_program_options(*solving, solve_options);
-  add_search_options(*solving, solve_options);
-  solving->add_flag("--json", solve_options.json, "a JSON object a line");
+  CLI::App* solving = add_command(app, "solve", "find solutions and print them", [&](CLI::App& command) {
+    add_program_options(command, solve_options);
+    add_search_options(command, solve_options);
+    command.add_flag("--json", solve_options.json, "a JSON object a line");
+  });
 
   Options check_options;
-  CLI::App* checking = app.add_subcommand("check", "look for mistakes in a program");
-  add_program_options(*checking, check_options);
-  checking->add_flag("--deep", check_options.deep,
+  CLI::App* checking = add_command(app, "check", "look for mistakes in a program", [&](CLI::App& command) {
+    add_program_options(command, check_options);
+    command.add_flag("--deep", check_options.deep,
                      "look into every path for mistakes that only some choices lead to, and say which");
+  });
 
   Options explain_options;
-  CLI::App* explaining = app.add_subcommand(
-      "explain", "why a program has no solution, or what in it rules nothing out and never occurs");
-  add_program_options(*explaining, explain_options);
-  add_solver_options(*explaining, explain_options);
-  explaining->add_option("--more", explain_options.more, "also show so many further, independent conflicts")
-      ->type_name("N");
-  explaining->add_flag("--choices", explain_options.choices, "show the values of every choice in solutions");
-  explaining->add_flag("--thorough", explain_options.thorough,
-                       "of a program with solutions: give no question up, however long it takes");
-  explaining->add_flag("--json", explain_options.json, "as one JSON object");
+  CLI::App* explaining = add_command(
+      app, "explain", "why a program has no solution, or what in it rules nothing out and never occurs",
+      [&](CLI::App& command) {
+        add_program_options(command, explain_options);
+        add_solver_options(command, explain_options);
+        command
+            .add_option("--more", explain_options.more, "also show so many further, independent conflicts")
+            ->type_name("N");
+        command.add_flag("--choices", explain_options.choices,
+                         "show the values of every choice in solutions");
+        command.add_flag("--thorough", explain_options.thorough,
+                         "of a program with solutions: give no question up, however long it takes");
+        command.add_flag("--json", explain_options.json, "as one JSON object");
+      });
 
   Options count_options;
-  CLI::App* counting = app.add_subcommand("count", "say how many solutions there are");
-  add_program_options(*counting, count_options);
-  add_solver_options(*counting, count_options);
-  add_count_options(*counting, count_options);
-  counting->add_flag("--json", count_options.json, "as one JSON object");
+  CLI::App* counting = add_command(app, "count", "say how many solutions there are", [&](CLI::App& command) {
+    add_program_options(command, count_options);
+    add_solver_options(command, count_options);
+    add_count_options(command, count_options);
+    command.add_flag("--json", count_options.json, "as one JSON object");
+  });
 
   Options trace_options;
-  CLI::App* tracing = app.add_subcommand("trace", "print the trace graph of a program");
-  add_program_options(*tracing, trace_options);
-  tracing
-      ->add_option("--format", trace_options.format, "text (default), dot for Graphviz, or smt2 for solvers")
-      ->check(CLI::IsMember({"text", "dot", "smt2"}));
+  add_command(app, "trace", "print the trace graph of a program", [&](CLI::App& command) {
+    add_program_options(command, trace_options);
+    command
+        .add_option("--format", trace_options.format, "text (default), dot for Graphviz, or smt2 for solvers")
+        ->check(CLI::IsMember({"text", "dot", "smt2"}));
+  });
 
   try {
     app.parse(argc, argv);

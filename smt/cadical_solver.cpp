@@ -68,6 +68,7 @@ class CadicalSolver : public Solver, private ClauseSink {
         cnf_(circuit_, *this),
         blaster_(graph, circuit_, cnf_),
         nearby_search_(propagator_, cnf_, blaster_, options.seed, spread_.forgets) {
+    untold_.reserve(kUsualLiterals);
     solver_.set("quiet", 1);
     solver_.set("seed", static_cast<int>(options.seed % 2'000'000'000));
     // Tried first, it would find the same solution whatever the seed and the suggestions.

@@ -24,7 +24,7 @@ void ClauseSink::ladder(const Ladder& ladder) {
 
 void Cnf::add_clause(std::span<const Literal> literals) {
   for (const Literal literal : literals) circuit_.use(literal);
-  clauses_.push_back({0, {literals.begin(), literals.end()}});
+  push({0, literals});
   write_all();
 }
 
@@ -52,9 +52,7 @@ int Cnf::known_variable(Literal input) const { return has_number(input) ? number
 void Cnf::write_all() {
   while (true) {
     if (!clauses_.empty()) {
-      Clause clause = std::move(clauses_.back());
-      clauses_.pop_back();
-      write(std::move(clause));
+      write(pop());
     } else if (!definitions_.empty()) {
       const Literal literal = definitions_.back();
       definitions_.pop_back();
@@ -65,11 +63,27 @@ void Cnf::write_all() {
   }
 }
 
-void Cnf::write(Clause clause) {
-  if (!flatten(clause.literals) || distribute(clause)) return;
+void Cnf::push(const Clause& clause) {
+  clauses_.push_back({clause.head, literals_.size()});
+  literals_.insert(literals_.end(), clause.literals.begin(), clause.literals.end());
+}
+
+/// Takes the clause pushed last into popped_; returns its head.
+int Cnf::pop() {
+  const Pending last = clauses_.back();
+  clauses_.pop_back();
+  const auto begin = literals_.begin() + static_cast<std::ptrdiff_t>(last.begin);
+  popped_.assign(begin, literals_.end());
+  literals_.erase(begin, literals_.end());
+  return last.head;
+}
+
+/// Writes the head or what is in popped_.
+void Cnf::write(int head) {
+  if (!flatten(popped_) || distribute(head)) return;
   buffer_.clear();
-  if (clause.head != 0) buffer_.push_back(clause.head);
-  for (const Literal literal : clause.literals) buffer_.push_back(demand(literal));
+  if (head != 0) buffer_.push_back(head);
+  for (const Literal literal : popped_) buffer_.push_back(demand(literal));
   sink_.clause(buffer_);
 }
 
@@ -104,16 +118,17 @@ bool Cnf::flatten(std::vector<Literal>& literals) const {
          literals.end();
 }
 
-bool Cnf::distribute(const Clause& clause) {
-  const std::size_t size = clause.literals.size() + (clause.head != 0 ? 1 : 0);
+/// Pushes the clauses that popped_ and the head stand for, if they are no single one.
+bool Cnf::distribute(int head) {
+  const std::size_t size = popped_.size() + (head != 0 ? 1 : 0);
   if (size > kMaxRepeated + 1) return false;
   const auto inlined = [this](Literal literal) { return inlinable(literal); };
-  const auto at = std::find_if(clause.literals.begin(), clause.literals.end(), inlined);
-  if (at == clause.literals.end()) return false;
-  if (std::find_if(at + 1, clause.literals.end(), inlined) != clause.literals.end()) return false;
-  Clause rest = clause;
-  std::erase(rest.literals, *at);
-  push_meaning(*at, rest);
+  const auto at = std::find_if(popped_.begin(), popped_.end(), inlined);
+  if (at == popped_.end()) return false;
+  if (std::find_if(at + 1, popped_.end(), inlined) != popped_.end()) return false;
+  rest_.assign(popped_.begin(), at);
+  rest_.insert(rest_.end(), at + 1, popped_.end());
+  push_meaning(*at, {head, rest_});
   return true;
 }
 
@@ -154,8 +169,8 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
 
 /// The rest or the literals.
 void Cnf::push_clause(const Clause& rest, std::initializer_list<Literal> literals) {
-  clauses_.push_back(rest);
-  clauses_.back().literals.insert(clauses_.back().literals.end(), literals);
+  push(rest);
+  literals_.insert(literals_.end(), literals);
 }
 
 void Cnf::push_definition(const Definition& definition, bool negated, const Clause& rest) {
@@ -214,13 +229,13 @@ const std::vector<int>& Cnf::chain(const Order& order, bool negated) {
 }
 
 void Cnf::push_conjuncts(Literal conjunction, const Clause& rest) {
-  std::vector<Literal> open{conjunction};
-  while (!open.empty()) {
-    const Literal literal = open.back();
-    open.pop_back();
+  open_.assign(1, conjunction);
+  while (!open_.empty()) {
+    const Literal literal = open_.back();
+    open_.pop_back();
     if (literal == conjunction || (is_conjunction(literal) && inlinable(literal))) {
       const auto& operands = circuit_.gate(literal).operands;
-      open.insert(open.end(), {operands[1], operands[0]});
+      open_.insert(open_.end(), {operands[1], operands[0]});
     } else {
       push_clause(rest, {literal});
     }

@@ -56,14 +56,21 @@ class Cnf {
   };
   struct Clause {
     int head = 0;  // a literal as the sink knows it that stands before the others; 0: none
-    std::vector<Literal> literals;
+    std::span<const Literal> literals;
+  };
+  /// On the stack of clauses to be written: its literals are those from `begin` on up to the next one's.
+  struct Pending {
+    int head;
+    std::size_t begin;
   };
 
   void write_all();
-  void write(Clause clause);
+  void push(const Clause& clause);
+  int pop();
+  void write(int head);
   void write_plain(int head, std::initializer_list<Literal> literals);
   bool flatten(std::vector<Literal>& literals) const;
-  bool distribute(const Clause& clause);
+  bool distribute(int head);
   void write_comparison(int head, const OrderedPair& pair);
   const std::vector<int>& chain(const Order& order, bool negated);
   void define(Literal literal);
@@ -91,9 +98,13 @@ class Cnf {
   int variables_ = 0;
   std::vector<int> numbers_;          // of the variables, by gate; 0: none yet
   std::vector<bool> defined_;         // by literal: whether it implies what it means
-  std::vector<Clause> clauses_;       // to be written
+  std::vector<Pending> clauses_;      // to be written, and
+  std::vector<Literal> literals_;     // theirs
   std::vector<Literal> definitions_;  // to be written
-  std::vector<int> buffer_;
+  std::vector<Literal> popped_;       // the literals of the clause that is being written,
+  std::vector<Literal> rest_;         // all but one of them,
+  std::vector<Literal> open_;         // the operands of that one which are left,
+  std::vector<int> buffer_;           // and as the sink gets them
   std::unordered_map<const Order*, std::unique_ptr<Chain>> chains_;
 };
 

@@ -23,7 +23,7 @@ void Propagator::reserve(int variable) {
   const std::size_t size = 2 * (static_cast<std::size_t>(variable) + 1);
   if (values_.size() >= size) return;
   values_.resize(size);
-  watches_.resize(size);
+  watching_.resize(size);
   assigned_.resize(size / 2);
 }
 
@@ -113,8 +113,17 @@ std::uint32_t Propagator::append(std::span<const int> literals) {
 
 void Propagator::watch(std::uint32_t clause) {
   const std::span<const int> literals = literals_of(clause);
-  watches_[literal_index(literals[0])].push_back({clause, literals[1]});
-  watches_[literal_index(literals[1])].push_back({clause, literals[0]});
+  watch(literals[0], {clause, literals[1]});
+  watch(literals[1], {clause, literals[0]});
+}
+
+void Propagator::watch(int literal, Watch watch) {
+  std::uint32_t& number = watching_[literal_index(literal)];
+  if (number == 0) {
+    watches_.emplace_back();
+    number = static_cast<std::uint32_t>(watches_.size());
+  }
+  watches_[number - 1].push_back(watch);
 }
 
 void Propagator::learn(std::span<const int> clause) {
@@ -223,7 +232,9 @@ bool Propagator::apply(std::array<int, 3> clause) {
 
 /// Clauses that watch the literal find another one to watch, or what is left of them follows.
 bool Propagator::visit_clauses(int falsified) {
-  std::vector<Watch>& watches = watches_[literal_index(falsified)];
+  const std::uint32_t number = watching_[literal_index(falsified)];
+  if (number == 0) return true;
+  std::vector<Watch>& watches = watches_[number - 1];
   std::size_t kept = 0;
   bool holds = true;
   for (std::size_t i = 0; i < watches.size(); ++i) {
@@ -245,7 +256,7 @@ bool Propagator::visit(Watch& watch, int falsified, bool* moved) {
   for (int i = 2; i < size; ++i) {
     if (value(clause[i]) < 0) continue;
     std::swap(clause[1], clause[i]);
-    watches_[literal_index(clause[1])].push_back(watch);
+    this->watch(clause[1], watch);
     *moved = true;
     return true;
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace solitaire {
 /// It keeps why each literal was assigned, from which conflict_analysis.h makes clauses to learn.
 class Propagator : public ClauseSink {
  public:
+  Propagator() { waiting_.reserve(kUsualLiterals); }
+
   /// While nothing is decided only.
   void clause(std::span<const int> literals) override;
   void ladder(const Ladder& ladder) override;
@@ -92,6 +95,7 @@ class Propagator : public ClauseSink {
   void add(std::span<const int> literals);
   std::uint32_t append(std::span<const int> literals);
   void watch(std::uint32_t clause);
+  void watch(int literal, Watch watch);
   void assign(int literal, Reason reason);
   std::span<const int> literals_of(std::uint32_t clause) const {
     return {&literals_[clause] + 1, static_cast<std::size_t>(literals_[clause])};
@@ -109,9 +113,10 @@ class Propagator : public ClauseSink {
   LiteralTable<Two> triples_;        // of clauses of three, the others
   OrderBounds bounds_;               // of ladders
   bool has_tables_ = false;
-  std::vector<std::vector<Watch>> watches_;  // by literal
-  std::vector<int> literals_;                // of clauses with watches, each behind its length
-  std::vector<int> waiting_;                 // clauses since the last propagation, each behind its length
+  std::vector<std::uint32_t> watching_;     // by literal: where its watches are, from 1 on; 0: it has none
+  std::deque<std::vector<Watch>> watches_;  // of few literals, for most clauses stand in tables
+  std::vector<int> literals_;               // of clauses with watches, each behind its length
+  std::vector<int> waiting_;                // clauses since the last propagation, each behind its length
   std::vector<int> trail_;
   std::vector<Level> levels_;  // of decisions
   std::size_t propagated_ = 0;

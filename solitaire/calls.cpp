@@ -65,19 +65,27 @@ std::vector<Value> Evaluator::bind(const std::string& name, const std::vector<Pa
 
 Value Evaluator::call_closure(const Ref<Closure>& closure, const CallExpr& site,
                               std::vector<Value> arguments) {
+  // A default can use the parameters before it, so those behind it come after it.
+  const auto first_default = std::find_if(arguments.begin(), arguments.end(), [](const Value& argument) {
+    return argument.is<Value::Unset>();
+  });
+  const auto before = static_cast<std::size_t>(first_default - arguments.begin());
+  std::vector<Value> others(std::make_move_iterator(first_default), std::make_move_iterator(arguments.end()));
+  arguments.resize(before);
   Activation activation;
   activation.function = closure->function;
-  activation.frame = make_frame(*closure->function, closure->outer);
+  activation.frame = make_frame(*closure->function, closure->outer, std::move(arguments));
   activation.module = closure->module;
   activation.caller = current_;
   activation.call = &site;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i].is<Value::Unset>()) {  // a default can use the parameters before it
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    Value& slot = activation.frame->slots[before + i];
+    if (others[i].is<Value::Unset>()) {
       Activation* caller = std::exchange(current_, &activation);
-      activation.frame->slots[i] = expression(*closure->function->parameters[i].default_value);
+      slot = expression(*closure->function->parameters[before + i].default_value);
       current_ = caller;
     } else {
-      activation.frame->slots[i] = std::move(arguments[i]);
+      slot = std::move(others[i]);
     }
   }
   return run_body(activation);

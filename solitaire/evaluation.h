@@ -213,7 +213,7 @@ class Evaluator {
   void note_read(const Frame& frame, Slot slot, const Value& value);
   AddressId activation_address(Activation& activation);
   std::vector<std::string> call_names() const;
-  Ref<Frame> make_frame(const Function& function, Ref<Frame> outer);
+  Ref<Frame> make_frame(const Function& function, Ref<Frame> outer, std::vector<Value> arguments = {});
   Value run_body(Activation& activation);
 
   // statements.cpp

@@ -85,8 +85,9 @@ Value Evaluator::run_module(std::uint32_t module) {
   return run_body(activation);
 }
 
-Ref<Frame> Evaluator::make_frame(const Function& function, Ref<Frame> outer) {
-  Ref<Frame> frame = make_ref<Frame>(function.slots.size(), std::move(outer), frames_made_++);
+Ref<Frame> Evaluator::make_frame(const Function& function, Ref<Frame> outer, std::vector<Value> arguments) {
+  arguments.resize(function.slots.size());
+  Ref<Frame> frame = make_ref<Frame>(std::move(arguments), std::move(outer), frames_made_++);
   if (function.captured) captured_frames_.push_back(frame);
   return frame;
 }

@@ -183,7 +183,9 @@ Value Evaluator::call(const CallExpr& node) {
   if (limits_.keep_going && is_assert(callee) && assert_apart(node)) return Value::nil();
   std::vector<Value> positional;
   std::vector<std::pair<const Argument*, Value>> named;
-  positional.reserve(node.arguments.size());
+  // They become the variables of the function.
+  const Closure* closure = callee.object<Closure>();
+  positional.reserve(closure != nullptr ? closure->function->slots.size() : node.arguments.size());
   for (const Argument& argument : node.arguments) {
     if (argument.name.empty()) {
       if (!named.empty()) mistake(argument.value->span, "an argument by position stands behind a named one");

@@ -1,6 +1,7 @@
 #include "solitaire/source.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ std::string read_source(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(path.string(), std::strerror(errno));
   std::string text;
-  std::vector<char> block(1 << 16);
+  std::array<char, 4096> block;
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > kLargestSource)

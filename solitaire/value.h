@@ -190,8 +190,8 @@ std::uint32_t nesting(const Value& value);
 
 /// The variables of a running or, if a closure still refers to it, finished function.
 struct Frame : Counted {
-  Frame(std::size_t size, Ref<Frame> enclosing, std::uint32_t number)
-      : slots(size), outer(std::move(enclosing)), serial(number) {}
+  Frame(std::vector<Value> values, Ref<Frame> enclosing, std::uint32_t number)
+      : slots(std::move(values)), outer(std::move(enclosing)), serial(number) {}
   std::vector<Value> slots;
   Ref<Frame> outer;      // of the function around, or empty for functions of the top level
   std::uint32_t serial;  // frames are numbered in the order of their creation
