@@ -27,9 +27,21 @@ void Propagator::reserve(int variable) {
   assigned_.resize(size / 2);
 }
 
+Propagator::Propagator() {
+  new_pairs_.reserve(kUsualLiterals / 2);
+  new_triples_.reserve(kUsualLiterals / 3);
+}
+
 void Propagator::clause(std::span<const int> literals) {
-  waiting_.push_back(static_cast<int>(literals.size()));
-  waiting_.insert(waiting_.end(), literals.begin(), literals.end());
+  for (const int literal : literals) largest_ = std::max(largest_, std::abs(literal));
+  if (!has_tables_ && literals.size() == 2) {
+    new_pairs_.push_back({literals[0], literals[1]});
+  } else if (!has_tables_ && literals.size() == 3) {
+    new_triples_.push_back({literals[0], literals[1], literals[2]});
+  } else {
+    waiting_.push_back(static_cast<int>(literals.size()));
+    waiting_.insert(waiting_.end(), literals.begin(), literals.end());
+  }
 }
 
 void Propagator::ladder(const Ladder& ladder) {
@@ -38,52 +50,36 @@ void Propagator::ladder(const Ladder& ladder) {
 }
 
 void Propagator::take_clauses() {
-  if (waiting_.empty() && !bounds_.has_new()) return;
+  if (waiting_.empty() && new_pairs_.empty() && new_triples_.empty() && !bounds_.has_new()) return;
   if (!has_tables_) make_tables();
   for_each_clause(waiting_, [this](std::span<const int> clause) { take(clause); });
   waiting_.clear();
 }
 
-/// Of the clauses that wait, leaving behind those that they have no place for.
 void Propagator::make_tables() {
   has_tables_ = true;
-  reserve_waiting();
-  const auto of_size = [this](std::size_t size, const auto& visit) {
-    for_each_clause(waiting_, [&](std::span<const int> clause) {
-      if (clause.size() == size) visit(clause);
-    });
-  };
-  pairs_ = {variables(), [&](const auto& put) {
-              of_size(2, [&](std::span<const int> clause) {
-                for (std::size_t i = 0; i < 2; ++i) put(clause[i], clause[1 - i]);
-              });
+  bounds_.for_each_literal([this](int literal) { largest_ = std::max(largest_, std::abs(literal)); });
+  reserve(largest_);
+  pairs_ = {variables(), [this](const auto& put) {
+              for (const auto& [a, b] : new_pairs_) {
+                put(a, b);
+                put(b, a);
+              }
             }};
-  triples_ = {variables(), [&](const auto& put) {
-                of_size(3, [&](std::span<const int> clause) {
-                  for (std::size_t i = 0; i < 3; ++i)
-                    put(clause[i], {clause[(i + 1) % 3], clause[(i + 2) % 3]});
-                });
+  triples_ = {variables(), [this](const auto& put) {
+                for (const auto& [a, b, c] : new_triples_) {
+                  put(a, {b, c});
+                  put(b, {c, a});
+                  put(c, {a, b});
+                }
               }};
   bounds_.build(variables());
-  std::vector<int> others;
-  for_each_clause(waiting_, [&](std::span<const int> clause) {
-    if (clause.size() == 2 || clause.size() == 3) return;
-    others.push_back(static_cast<int>(clause.size()));
-    others.insert(others.end(), clause.begin(), clause.end());
-  });
-  waiting_ = std::move(others);
-}
-
-void Propagator::reserve_waiting() {
-  int most = 0;
-  const auto look = [&](int literal) { most = std::max(most, std::abs(literal)); };
-  for_each_clause(waiting_, [&](std::span<const int> clause) { std::ranges::for_each(clause, look); });
-  bounds_.for_each_literal(look);
-  reserve(most);
+  new_pairs_ = {};
+  new_triples_ = {};
 }
 
 void Propagator::take(std::span<const int> literals) {
-  for (const int literal : literals) reserve(std::abs(literal));
+  reserve(largest_);
   if (trail_.empty()) return add(literals);
   std::vector<int> open;
   for (const int literal : literals) {
@@ -213,7 +209,7 @@ bool Propagator::visit_bounds(int assigned) {
 }
 
 /// Assigns what is left of a clause, if it is a single literal; false if nothing is.
-bool Propagator::apply(std::array<int, 3> clause) {
+bool Propagator::apply(Three clause) {
   int open = 0;
   for (const int literal : clause) {
     const int value = this->value(literal);

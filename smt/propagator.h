@@ -21,7 +21,7 @@ namespace solitaire {
 /// It keeps why each literal was assigned, from which conflict_analysis.h makes clauses to learn.
 class Propagator : public ClauseSink {
  public:
-  Propagator() { waiting_.reserve(kUsualLiterals); }
+  Propagator();
 
   /// While nothing is decided only.
   void clause(std::span<const int> literals) override;
@@ -84,6 +84,7 @@ class Propagator : public ClauseSink {
   };
 
   using Two = std::array<int, 2>;
+  using Three = std::array<int, 3>;
   /// Where a decision stands in the trail, and how many changes of bounds came before it.
   struct Level {
     std::size_t trail, bounds;
@@ -100,10 +101,9 @@ class Propagator : public ClauseSink {
   std::span<const int> literals_of(std::uint32_t clause) const {
     return {&literals_[clause] + 1, static_cast<std::size_t>(literals_[clause])};
   }
-  void reserve_waiting();
   bool visit_tables(int falsified);
   bool visit_bounds(int assigned);
-  bool apply(std::array<int, 3> clause);
+  bool apply(Three clause);
   bool visit_clauses(int falsified);
   bool visit(Watch& watch, int falsified, bool* moved);
 
@@ -116,7 +116,10 @@ class Propagator : public ClauseSink {
   std::vector<std::uint32_t> watching_;     // by literal: where its watches are, from 1 on; 0: it has none
   std::deque<std::vector<Watch>> watches_;  // of few literals, for most clauses stand in tables
   std::vector<int> literals_;               // of clauses with watches, each behind its length
-  std::vector<int> waiting_;                // clauses since the last propagation, each behind its length
+  std::vector<Two> new_pairs_;              // clauses for the tables, until these are made
+  std::vector<Three> new_triples_;
+  std::vector<int> waiting_;  // other clauses since the last propagation, each behind its length
+  int largest_ = 0;           // variable of all these
   std::vector<int> trail_;
   std::vector<Level> levels_;  // of decisions
   std::size_t propagated_ = 0;

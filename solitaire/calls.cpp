@@ -66,9 +66,8 @@ std::vector<Value> Evaluator::bind(const std::string& name, const std::vector<Pa
 Value Evaluator::call_closure(const Ref<Closure>& closure, const CallExpr& site,
                               std::vector<Value> arguments) {
   // A default can use the parameters before it, so those behind it come after it.
-  const auto first_default = std::find_if(arguments.begin(), arguments.end(), [](const Value& argument) {
-    return argument.is<Value::Unset>();
-  });
+  const auto first_default = std::find_if(arguments.begin(), arguments.end(),
+                                          [](const Value& argument) { return argument.is<Value::Unset>(); });
   const auto before = static_cast<std::size_t>(first_default - arguments.begin());
   std::vector<Value> others(std::make_move_iterator(first_default), std::make_move_iterator(arguments.end()));
   arguments.resize(before);

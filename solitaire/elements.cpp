@@ -9,13 +9,6 @@ namespace {
 /// How deep lists and records may nest in each other.
 constexpr std::uint32_t kDeepestValue = 500;
 
-std::optional<std::size_t> field_number(const RecordStmt& type, const std::string& name) {
-  for (std::size_t i = 0; i < type.fields.size(); ++i) {
-    if (type.fields[i].name == name) return i;
-  }
-  return std::nullopt;
-}
-
 std::string field_help(const RecordStmt& type, const std::string& name) {
   std::vector<std::string> names;
   std::string all;
@@ -98,17 +91,21 @@ std::pair<std::int64_t, std::int64_t> Evaluator::possible_indices(NodeId index, 
   return {std::max<std::int64_t>(interval.lo, 0), std::min(interval.hi, end)};
 }
 
-Value Evaluator::field(const Value& object, const std::string& name, Span span) {
+Value Evaluator::field(const Value& object, const FieldExpr& access) {
   return each_shape(object, [&](const Value& one) -> Value {
     const Record* record = one.object<Record>();
-    if (record == nullptr) mistake(span, fmt::format("{} has no fields", describe(one)));
-    const auto number = field_number(*record->type, name);
-    if (!number) {
-      mistake(span, fmt::format("a record {} has no field '{}'", record->type->name, name),
-              field_help(*record->type, name));
-    }
-    return record->fields[*number];
+    if (record == nullptr) mistake(access.field_span, fmt::format("{} has no fields", describe(one)));
+    return record->fields[field_position(*record->type, access)];
   });
+}
+
+std::size_t Evaluator::field_position(const RecordStmt& type, const FieldExpr& access) {
+  const auto at = std::find(type.numbers.begin(), type.numbers.end(), access.number);
+  if (at == type.numbers.end()) {
+    mistake(access.field_span, fmt::format("a record {} has no field '{}'", type.name, access.field),
+            field_help(type, access.field));
+  }
+  return static_cast<std::size_t>(at - type.numbers.begin());
 }
 
 void Evaluator::take_apart(const Value& value, std::size_t count, Span span,
@@ -224,13 +221,9 @@ void Evaluator::update_field(Value& object, const FieldExpr& target, const Chang
   if (object.object<Record>() == nullptr)
     mistake(target.field_span, fmt::format("{} has no fields", describe(object)));
   Record& record = object.own<Record>();
-  const auto number = field_number(*record.type, target.field);
-  if (!number) {
-    mistake(target.field_span, fmt::format("a record {} has no field '{}'", record.type->name, target.field),
-            field_help(*record.type, target.field));
-  }
-  change(record.fields[*number]);
-  record.nesting = std::max(record.nesting, 1 + nesting(record.fields[*number]));
+  Value& field = record.fields[field_position(*record.type, target)];
+  change(field);
+  record.nesting = std::max(record.nesting, 1 + nesting(field));
   check_nesting(object, target.span);
 }
 

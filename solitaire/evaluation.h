@@ -149,7 +149,7 @@ class Evaluator {
   // ---- elements.cpp
 
   Value element(const Value& object, const Value& index, Span span);
-  Value field(const Value& object, const std::string& name, Span span);
+  Value field(const Value& object, const FieldExpr& access);
   void assign(const Expr& target, Value value);
   void take_apart(const Value& value, std::size_t count, Span span,
                   const std::function<void(std::size_t, Value)>& give);
@@ -261,6 +261,7 @@ class Evaluator {
   void update(const Expr& target, std::span<const Value> indices, const Change& change);
   void update_element(Value& object, const Value& index, Span span, const Change& change);
   void update_field(Value& object, const FieldExpr& target, const Change& change);
+  std::size_t field_position(const RecordStmt& type, const FieldExpr& access);
   Value element_of(const std::vector<Value>& items, const Value& index, Span span);
   std::pair<std::int64_t, std::int64_t> possible_indices(NodeId index, std::size_t count, Span span);
   void check_nesting(const Value& value, Span span);

@@ -37,7 +37,7 @@ Value Evaluator::expression(const Expr& node) {
     }
     case ExprKind::kField: {
       const auto& access = static_cast<const FieldExpr&>(node);
-      return field(expression(*access.object), access.field, access.field_span);
+      return field(expression(*access.object), access);
     }
     case ExprKind::kIf:
       return if_expression(static_cast<const IfExpr&>(node));

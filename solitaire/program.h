@@ -23,6 +23,8 @@ struct Module {
 struct Program {
   SourceSet sources;
   std::vector<Module> modules;
+  std::map<std::string, std::uint32_t>
+      field_names;  // by which fields are found, as names are slow to compare
 
   const Function& top(std::uint32_t module) const { return *modules[module].tree.top; }
   /// The folder that asset paths of the program are relative to.

@@ -273,6 +273,7 @@ class Resolver {
     top_level_only(node.span, "a record");
     for (const Parameter& field : node.fields) {
       if (field.default_value) named_expression(*field.default_value, field.name);
+      node.numbers.push_back(field_number(field.name));
     }
     node.slot = scope_->declare(node.name);
     assign_slot(node.slot);
@@ -313,13 +314,23 @@ class Resolver {
     }
   }
 
+  std::uint32_t field_number(const std::string& name) {
+    auto& names = program_.field_names;
+    return names.emplace(name, static_cast<std::uint32_t>(names.size())).first->second;
+  }
+
+  Expr& object_of(FieldExpr& access) {
+    access.number = field_number(access.field);
+    return *access.object;
+  }
+
   void assign_target(Expr& target, bool changes) {
     switch (target.kind) {
       case ExprKind::kIndex:
         expression(*static_cast<IndexExpr&>(target).index);
         return assign_target(*static_cast<IndexExpr&>(target).object, true);
       case ExprKind::kField:
-        return assign_target(*static_cast<FieldExpr&>(target).object, true);
+        return assign_target(object_of(static_cast<FieldExpr&>(target)), true);
       case ExprKind::kName:
         return assign_name(static_cast<NameExpr&>(target), changes);
       default:
@@ -414,7 +425,7 @@ class Resolver {
         expression(*static_cast<IndexExpr&>(node).object);
         return expression(*static_cast<IndexExpr&>(node).index);
       case ExprKind::kField:
-        return expression(*static_cast<FieldExpr&>(node).object);
+        return expression(object_of(static_cast<FieldExpr&>(node)));
       case ExprKind::kIf:
         return if_expression(static_cast<IfExpr&>(node));
       case ExprKind::kFunction:

@@ -147,6 +147,7 @@ struct FieldExpr : Expr {
   ExprPtr object;
   std::string field;
   Span field_span;
+  std::uint32_t number = 0;  // of the name, see Program::field_names
 };
 
 struct IfExpr : Expr {
@@ -297,6 +298,7 @@ struct RecordStmt : Stmt {
   std::string name;
   Span name_span;
   std::vector<Parameter> fields;
+  std::vector<std::uint32_t> numbers;  // of the fields' names, see Program::field_names
   Slot slot = 0;
 };
 
