@@ -20,82 +20,80 @@ struct BitBlasts {
   using B = BitBlaster&;
   using N = const NodeId*;
   using W = std::size_t;  // the width of an int result
+  using BoolBlast = Literal (*)(BitBlaster&, const NodeId* operands);
   using BitBlast = Bits (*)(BitBlaster&, std::size_t width, const NodeId* operands);
   using OrderBlast = Order (*)(BitBlaster&, const NodeId* operands);
 
   struct Row {
     Op op;
+    BoolBlast literal;  // of bools; of ints, the others
     BitBlast bits;
     OrderBlast order;
   };
 
   static constexpr std::array<Row, kOpCount> kTable = {{
-      {Op::kConstBool, [](B b, W, N a) -> Bits { return {constant_literal(b.interval(*a).lo != 0)}; },
-       nullptr},
-      {Op::kConstInt, [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); },
+      {Op::kConstBool, [](B b, N a) { return constant_literal(b.interval(*a).lo != 0); }, nullptr, nullptr},
+      {Op::kConstInt, nullptr, [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); },
        [](B b, N a) { return constant_order(b.interval(*a).lo); }},
-      {Op::kConstFloat, nullptr, nullptr},
-      {Op::kChoice, [](B b, W, N a) { return b.choice_number(*a); },
+      {Op::kConstFloat, nullptr, nullptr, nullptr},
+      {Op::kChoice, nullptr, [](B b, W, N a) { return b.choice_number(*a); },
        [](B b, N a) { return *b.choice(b.graph_.node(*a).payload).order; }},
 
-      {Op::kNot, [](B b, W, N a) -> Bits { return {!b.literal(a[0])}; }, nullptr},
-      {Op::kAnd,
-       [](B b, W, N a) -> Bits { return {b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1]))}; },
+      {Op::kNot, [](B b, N a) { return !b.literal(a[0]); }, nullptr, nullptr},
+      {Op::kAnd, [](B b, N a) { return b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1])); }, nullptr,
        nullptr},
-      {Op::kOr,
-       [](B b, W, N a) -> Bits { return {b.circuit_.disjunction(b.literal(a[0]), b.literal(a[1]))}; },
+      {Op::kOr, [](B b, N a) { return b.circuit_.disjunction(b.literal(a[0]), b.literal(a[1])); }, nullptr,
        nullptr},
-      {Op::kEqBool,
-       [](B b, W, N a) -> Bits { return {b.circuit_.equivalence(b.literal(a[0]), b.literal(a[1]))}; },
-       nullptr},
+      {Op::kEqBool, [](B b, N a) { return b.circuit_.equivalence(b.literal(a[0]), b.literal(a[1])); },
+       nullptr, nullptr},
       {Op::kIteBool,
-       [](B b, W, N a) -> Bits {
-         return {b.circuit_.mux(b.literal(a[0]), b.literal(a[1]), b.literal(a[2]))};
-       },
+       [](B b, N a) { return b.circuit_.mux(b.literal(a[0]), b.literal(a[1]), b.literal(a[2])); }, nullptr,
        nullptr},
 
-      {Op::kAdd, [](B b, W w, N a) { return add(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
+      {Op::kAdd, nullptr, [](B b, W w, N a) { return add(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
        [](B b, N a) { return sum(b.circuit_, b.order(a[0]), b.order(a[1])); }},
-      {Op::kSub, [](B b, W w, N a) { return subtract(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
+      {Op::kSub, nullptr,
+       [](B b, W w, N a) { return subtract(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
        [](B b, N a) { return sum(b.circuit_, b.order(a[0]), negated(b.order(a[1]))); }},
-      {Op::kMul, [](B b, W w, N a) { return b.product(a[0], a[1], w); },
+      {Op::kMul, nullptr, [](B b, W w, N a) { return b.product(a[0], a[1], w); },
        [](B b, N a) {
          const bool first = b.interval(a[0]).single();
          return scaled(b.order(a[first ? 1 : 0]), b.interval(a[first ? 0 : 1]).lo);
        }},
-      {Op::kDiv, [](B b, W w, N a) { return b.quotient(a[0], a[1], w); },
+      {Op::kDiv, nullptr, [](B b, W w, N a) { return b.quotient(a[0], a[1], w); },
        [](B b, N a) { return divided(b.order(a[0]), b.interval(a[1]).lo); }},
-      {Op::kMod, [](B b, W w, N a) { return b.modulus(a[0], a[1], w); }, nullptr},
-      {Op::kNeg, [](B b, W w, N a) { return negate_if(b.circuit_, kTrueLiteral, b.sized(a[0], w)); },
+      {Op::kMod, nullptr, [](B b, W w, N a) { return b.modulus(a[0], a[1], w); }, nullptr},
+      {Op::kNeg, nullptr, [](B b, W w, N a) { return negate_if(b.circuit_, kTrueLiteral, b.sized(a[0], w)); },
        [](B b, N a) { return negated(b.order(a[0])); }},
-      {Op::kMin, [](B b, W w, N a) { return b.extreme(a[0], a[1], true, w); },
+      {Op::kMin, nullptr, [](B b, W w, N a) { return b.extreme(a[0], a[1], true, w); },
        [](B b, N a) { return smaller(b.circuit_, b.order(a[0]), b.order(a[1])); }},
-      {Op::kMax, [](B b, W w, N a) { return b.extreme(a[0], a[1], false, w); },
+      {Op::kMax, nullptr, [](B b, W w, N a) { return b.extreme(a[0], a[1], false, w); },
        [](B b, N a) { return larger(b.circuit_, b.order(a[0]), b.order(a[1])); }},
-      {Op::kAbs, [](B b, W w, N a) { return negate_if(b.circuit_, b.bits(a[0]).back(), b.sized(a[0], w)); },
+      {Op::kAbs, nullptr,
+       [](B b, W w, N a) { return negate_if(b.circuit_, b.bits(a[0]).back(), b.sized(a[0], w)); },
        [](B b, N a) { return larger(b.circuit_, b.order(a[0]), negated(b.order(a[0]))); }},
-      {Op::kIteInt,
+      {Op::kIteInt, nullptr,
        [](B b, W w, N a) { return select(b.circuit_, b.literal(a[0]), b.sized(a[1], w), b.sized(a[2], w)); },
        [](B b, N a) { return select(b.circuit_, b.literal(a[0]), b.order(a[1]), b.order(a[2])); }},
 
-      {Op::kEqInt, [](B b, W, N a) -> Bits { return {b.equality(a[0], a[1])}; }, nullptr},
-      {Op::kLtInt, [](B b, W, N a) -> Bits { return {b.comparison(a[0], a[1], false)}; }, nullptr},
-      {Op::kLeInt, [](B b, W, N a) -> Bits { return {b.comparison(a[0], a[1], true)}; }, nullptr},
+      {Op::kEqInt, [](B b, N a) { return b.equality(a[0], a[1]); }, nullptr, nullptr},
+      {Op::kLtInt, [](B b, N a) { return b.comparison(a[0], a[1], false); }, nullptr, nullptr},
+      {Op::kLeInt, [](B b, N a) { return b.comparison(a[0], a[1], true); }, nullptr, nullptr},
 
-      {Op::kToFloat, nullptr, nullptr},
-      {Op::kFloor, nullptr, nullptr},
-      {Op::kAddFloat, nullptr, nullptr},
-      {Op::kSubFloat, nullptr, nullptr},
-      {Op::kMulFloat, nullptr, nullptr},
-      {Op::kDivFloat, nullptr, nullptr},
-      {Op::kNegFloat, nullptr, nullptr},
-      {Op::kSqrt, nullptr, nullptr},
-      {Op::kSin, nullptr, nullptr},
-      {Op::kCos, nullptr, nullptr},
-      {Op::kIteFloat, nullptr, nullptr},
-      {Op::kEqFloat, nullptr, nullptr},
-      {Op::kLtFloat, nullptr, nullptr},
-      {Op::kLeFloat, nullptr, nullptr},
+      {Op::kToFloat, nullptr, nullptr, nullptr},
+      {Op::kFloor, nullptr, nullptr, nullptr},
+      {Op::kAddFloat, nullptr, nullptr, nullptr},
+      {Op::kSubFloat, nullptr, nullptr, nullptr},
+      {Op::kMulFloat, nullptr, nullptr, nullptr},
+      {Op::kDivFloat, nullptr, nullptr, nullptr},
+      {Op::kNegFloat, nullptr, nullptr, nullptr},
+      {Op::kSqrt, nullptr, nullptr, nullptr},
+      {Op::kSin, nullptr, nullptr, nullptr},
+      {Op::kCos, nullptr, nullptr, nullptr},
+      {Op::kIteFloat, nullptr, nullptr, nullptr},
+      {Op::kEqFloat, nullptr, nullptr, nullptr},
+      {Op::kLtFloat, nullptr, nullptr, nullptr},
+      {Op::kLeFloat, nullptr, nullptr, nullptr},
   }};
 
   static constexpr bool in_order() {
@@ -134,8 +132,7 @@ void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& litera
 
 /// Operands first, on an own stack: the graph can be deeper than the machine's.
 void BitBlaster::compile(Part part) {
-  nodes_.resize(graph_.size());
-  orders_.resize(graph_.size());
+  compiled_.resize(graph_.size());
   while (order_sizes_.size() < graph_.size())
     order_sizes_.push_back(order_size({static_cast<std::uint32_t>(order_sizes_.size())}));
   std::vector<Part> pending{part};
@@ -152,7 +149,8 @@ void BitBlaster::compile(Part part) {
 }
 
 bool BitBlaster::is_compiled(Part part) const {
-  return part.form == Form::kOrder ? orders_[part.node.index] != nullptr : !nodes_[part.node.index].empty();
+  const Compiled& compiled = compiled_[part.node.index];
+  return (part.form == Form::kOrder ? compiled.order : compiled.bits) != 0;
 }
 
 void BitBlaster::push_operands(Part part, std::vector<Part>& pending) {
@@ -177,15 +175,19 @@ bool BitBlaster::comparable_in_order(NodeId a, NodeId b) const {
 void BitBlaster::compile_one(Part part) {
   const Graph::Node& node = graph_.node(part.node);
   const BitBlasts::Row& row = BitBlasts::kTable[static_cast<std::size_t>(node.op)];
-  if (row.bits == nullptr) throw std::logic_error("a float operation came to the bit-blaster");
+  if (row.literal == nullptr && row.bits == nullptr)
+    throw std::logic_error("a float operation came to the bit-blaster");
   const NodeId* operands = operation(node.op).arity == 0 ? &part.node : node.operands.data();
+  Compiled& compiled = compiled_[part.node.index];
   if (part.form == Form::kOrder) {
-    orders_[part.node.index] = std::make_shared<Order>(row.order(*this, operands));
-  } else if (node.type() != Type::kInt) {
-    nodes_[part.node.index] = row.bits(*this, 0, operands);
+    orders_.push_back(std::make_shared<Order>(row.order(*this, operands)));
+    compiled.order = static_cast<std::uint32_t>(orders_.size());
+  } else if (row.literal != nullptr) {
+    compiled.bits = row.literal(*this, operands).code() + 1;
   } else {
     const auto width = static_cast<std::size_t>(bit_width(node.interval));
-    nodes_[part.node.index] = with_known_bits(row.bits(*this, width, operands), node.interval);
+    numbers_.push_back(with_known_bits(row.bits(*this, width, operands), node.interval));
+    compiled.bits = static_cast<std::uint32_t>(numbers_.size());
   }
 }
 

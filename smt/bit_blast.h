@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -58,6 +59,12 @@ class BitBlaster {
     NodeId node;
     Form form;  // of ints
   };
+  /// What became of a node. 0: nothing yet.
+  struct Compiled {
+    std::uint32_t bits =
+        0;  // of a bool, one more than the code of its literal; of an int, where in numbers_,
+    std::uint32_t order = 0;  // and where in orders_, both from 1 on
+  };
   /// What a choice stands for: literals for its values where these are few, else bits.
   struct Choice {
     std::optional<Order> order;
@@ -86,17 +93,20 @@ class BitBlaster {
   Bits with_known_bits(Bits bits, Interval interval) const;
   std::uint64_t bits_of(std::size_t variable, std::int64_t value) const;
 
-  Literal literal(NodeId node) const { return nodes_[node.index][0]; }
-  const Bits& bits(NodeId node) const { return nodes_[node.index]; }
+  Literal literal(NodeId node) const {
+    const std::uint32_t code = compiled_[node.index].bits - 1;
+    return {code / 2, code % 2 != 0};
+  }
+  const Bits& bits(NodeId node) const { return numbers_[compiled_[node.index].bits - 1]; }
   Interval interval(NodeId node) const { return graph_.node(node).interval; }
   bool is_signed(NodeId node) const { return interval(node).lo < 0; }
   bool either_signed(NodeId a, NodeId b) const { return is_signed(a) || is_signed(b); }
-  std::size_t width(NodeId node) const { return nodes_[node.index].size(); }
+  std::size_t width(NodeId node) const { return bits(node).size(); }
   Bits sized(NodeId node, std::size_t width) const { return resized(bits(node), width, is_signed(node)); }
   std::size_t common_width(NodeId a, NodeId b) const;
 
-  const Order& order(NodeId node) const { return *orders_[node.index]; }
-  const SharedOrder& shared_order(NodeId node) const { return orders_[node.index]; }
+  const Order& order(NodeId node) const { return *shared_order(node); }
+  const SharedOrder& shared_order(NodeId node) const { return orders_[compiled_[node.index].order - 1]; }
 
   Literal equality(NodeId a, NodeId b);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
@@ -111,8 +121,9 @@ class BitBlaster {
   const Graph& graph_;
   Circuit& circuit_;
   Cnf& cnf_;
-  std::vector<Bits> nodes_;  // none: not compiled yet
-  std::vector<SharedOrder> orders_;
+  std::vector<Compiled> compiled_;  // by node
+  std::deque<Bits> numbers_;
+  std::deque<SharedOrder> orders_;
   std::vector<OrderSize> order_sizes_;  // of the nodes met
   std::vector<Choice> choices_;         // by variable
 };
