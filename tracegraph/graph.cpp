@@ -26,36 +26,42 @@ std::size_t Graph::VariableHash::operator()(const ChoiceVariable& variable) cons
 }
 
 std::uint64_t Graph::hash(const Node& node) const {
-  std::uint64_t hash = static_cast<std::uint64_t>(node.op);
-  for (const NodeId operand : node.args()) hash = mix(hash, operand.index);
+  const auto [a, b, c] = node.operands;  // those that it has not are 0
+  std::uint64_t hash = mix(std::uint64_t{a.index} << 32 | b.index,
+                           std::uint64_t{c.index} << 32 | static_cast<std::uint64_t>(node.op));
+  if (!node.is_constant() && node.op != Op::kChoice) return hash;
   hash = mix(hash, node.payload);
-  return node.is_constant() ? mix(hash, static_cast<std::uint64_t>(node.interval.lo)) : hash;
+  return mix(hash, static_cast<std::uint64_t>(node.interval.lo));
 }
 
 NodeId Graph::intern(const Node& node) {
   if (2 * nodes_.size() >= table_.size()) grow_table();
+  const std::uint64_t hash = this->hash(node);
+  const auto mark = static_cast<std::uint32_t>(hash >> 32);
   const std::size_t mask = table_.size() - 1;
-  std::size_t slot = hash(node) & mask;
-  for (; table_[slot] != 0; slot = (slot + 1) & mask) {
-    const Node& other = nodes_[table_[slot] - 1];
+  std::size_t slot = hash & mask;
+  for (; table_[slot].number != 0; slot = (slot + 1) & mask) {
+    if (table_[slot].mark != mark) continue;
+    const Node& other = nodes_[table_[slot].number - 1];
     const bool same_constant = !node.is_constant() || other.interval == node.interval;
     if (other.op == node.op && other.operands == node.operands && other.payload == node.payload &&
         same_constant) {
-      return {table_[slot] - 1};
+      return {table_[slot].number - 1};
     }
   }
   nodes_.push_back(node);
-  table_[slot] = static_cast<std::uint32_t>(nodes_.size());
+  table_[slot] = {static_cast<std::uint32_t>(nodes_.size()), mark};
   return {static_cast<std::uint32_t>(nodes_.size() - 1)};
 }
 
 void Graph::grow_table() {
-  table_.assign(2 * table_.size(), 0);
+  table_.assign(2 * table_.size(), {});
   const std::size_t mask = table_.size() - 1;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    std::size_t slot = hash(nodes_[i]) & mask;
-    while (table_[slot] != 0) slot = (slot + 1) & mask;
-    table_[slot] = static_cast<std::uint32_t>(i + 1);
+    const std::uint64_t hash = this->hash(nodes_[i]);
+    std::size_t slot = hash & mask;
+    while (table_[slot].number != 0) slot = (slot + 1) & mask;
+    table_[slot] = {static_cast<std::uint32_t>(i + 1), static_cast<std::uint32_t>(hash >> 32)};
   }
 }
 

@@ -121,8 +121,14 @@ class Graph {
   void grow_table();
   std::uint64_t hash(const Node& node) const;
 
+  /// Of the hash table.
+  struct Entry {
+    std::uint32_t number = 0;  // one more than the index of a node; 0: free
+    std::uint32_t mark = 0;    // a part of its hash
+  };
+
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> table_;  // open addressing; index + 1 of a node, 0 is free
+  std::vector<Entry> table_;  // open addressing
   std::vector<ChoiceVariable> variables_;
   std::vector<NodeId> variable_nodes_;
   struct VariableHash {
