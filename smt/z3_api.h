@@ -1,4 +1,5 @@
 #pragma once
+#include <new>
 #include <z3.h>
 
 #include "smt/shared_library.h"
@@ -18,6 +19,13 @@ template <auto* F>
 decltype(F) z3_function(const char* name) {
   static const auto function = reinterpret_cast<decltype(F)>(z3_library().symbol(name));
   return function;
+}
+
+/// Throws std::bad_alloc where Z3 gives null, at which its C++ interface does not look.
+inline Z3_context make_z3_context(Z3_config config) {
+  const Z3_context made = z3_function<&::Z3_mk_context_rc>("Z3_mk_context_rc")(config);
+  if (made == nullptr) throw std::bad_alloc();
+  return made;
 }
 
 }  // namespace solitaire
@@ -65,7 +73,7 @@ decltype(F) z3_function(const char* name) {
 #define Z3_mk_concat SOLITAIRE_Z3(Z3_mk_concat)
 #define Z3_mk_config SOLITAIRE_Z3(Z3_mk_config)
 #define Z3_mk_const SOLITAIRE_Z3(Z3_mk_const)
-#define Z3_mk_context_rc SOLITAIRE_Z3(Z3_mk_context_rc)
+#define Z3_mk_context_rc solitaire::make_z3_context
 #define Z3_mk_distinct SOLITAIRE_Z3(Z3_mk_distinct)
 #define Z3_mk_div SOLITAIRE_Z3(Z3_mk_div)
 #define Z3_mk_eq SOLITAIRE_Z3(Z3_mk_eq)
