@@ -9,15 +9,15 @@
 record Rect(x, y, w, d, turn = 0);
 record Thing(kind, w, d, turn, x, y);
 
-// ---- extents, after turning
+// ---- extents, after turning. Written out, and not each by the one before, for they are asked of all pairs of things.
 
 fun turned(o) { return o.turn == 1 or o.turn == 3; }
-fun width(o) { return cond(turned(o), o.d, o.w); }   // along x
-fun depth(o) { return cond(turned(o), o.w, o.d); }   // along y
+fun width(o) { return cond(o.turn == 1 or o.turn == 3, o.d, o.w); }   // along x
+fun depth(o) { return cond(o.turn == 1 or o.turn == 3, o.w, o.d); }   // along y
 fun x1(o) { return o.x; }
 fun y1(o) { return o.y; }
-fun x2(o) { return o.x + width(o); }
-fun y2(o) { return o.y + depth(o); }
+fun x2(o) { return o.x + cond(o.turn == 1 or o.turn == 3, o.d, o.w); }
+fun y2(o) { return o.y + cond(o.turn == 1 or o.turn == 3, o.w, o.d); }
 
 // ---- where two things are
 
@@ -28,7 +28,7 @@ fun inside(o, r, margin = 0) {
 
 // The two do not overlap, and there is at least `gap` between them.
 fun apart(a, b, gap = 0) {
-  return any(x2(a) + gap <= x1(b), x2(b) + gap <= x1(a), y2(a) + gap <= y1(b), y2(b) + gap <= y1(a));
+  return any(x2(a) + gap <= b.x, x2(b) + gap <= a.x, y2(a) + gap <= b.y, y2(b) + gap <= a.y);
 }
 
 // No two of the list overlap. (Adding one after the other keeps this small where the list's length is chosen.)
