@@ -13,10 +13,17 @@ namespace {
 
 using Command = ExitStatus (*)(const Options&, Watchdog&);
 
+/// The first thread watches the limits, while another one with a large stack runs the command.
 ExitStatus run(Command command, const Options& options) {
   return status_of(options, [&] {
     Watchdog watchdog(options);
-    return status_of(options, [&] { return command(options, watchdog); });
+    ExitStatus status = kError;
+    const auto work = [&] {
+      status = status_of(options, [&] { return command(options, watchdog); });
+      watchdog.end();
+    };
+    run_on_large_stack(work, [&] { watchdog.watch(); });
+    return status;
   });
 }
 
@@ -127,7 +134,5 @@ int run_command_line(int argc, char** argv) {
 int main(int argc, char** argv) {
   solitaire::reserve_standard_streams();
   solitaire::catch_signals();
-  int status = solitaire::kError;
-  solitaire::run_on_large_stack([&] { status = solitaire::run_command_line(argc, argv); });
-  return status;
+  return solitaire::run_command_line(argc, argv);
 }

@@ -46,16 +46,13 @@ Watchdog::Watchdog(const Options& options)
       deadline_(after(options.timeout)),
       finish_([this] { return report_limit(options_); }) {
   look();  // a limit of nothing holds from the start
-  thread_ = std::thread([this] { watch(); });
 }
 
-Watchdog::~Watchdog() {
-  {
-    const std::lock_guard lock(done_mutex_);
-    done_ = true;
-  }
+void Watchdog::end() {
+  // Notified under the lock: who watches may be gone as soon as it is free.
+  const std::lock_guard lock(done_mutex_);
+  done_ = true;
   wake_.notify_one();
-  thread_.join();
 }
 
 ExitStatus Watchdog::conclude(ExitStatus status) {

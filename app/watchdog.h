@@ -4,7 +4,6 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "app/options.h"
 #include "app/signals.h"
@@ -13,9 +12,9 @@ namespace solitaire {
 
 /// Makes the limits of a run hold, whatever the run is doing: solvers look at a limit only now and then.
 ///
-/// A thread looks at the time, the memory and the stop signal. A limit that came is told to the stop signal,
-/// and the run has half a second to end in good order. If it does not, the watchdog delivers and says what is
-/// left to deliver and to say, and ends the process, the solver with it.
+/// A thread of its own looks at the time, the memory and the stop signal. A limit that came is told to the
+/// stop signal, and the run has half a second to end in good order. If it does not, the watchdog delivers and
+/// says what is left to deliver and to say, and ends the process, the solver with it.
 ///
 /// So that each thing is said once and nothing is taken while it changes, what a run has for its user belongs
 /// to whoever holds the mutex: the run while it delivers something, never while it searches, and the watchdog
@@ -27,9 +26,13 @@ class Watchdog {
   using Lock = std::unique_lock<std::timed_mutex>;
 
   explicit Watchdog(const Options& options);
-  ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
+
+  /// Looks at the limits until end() is called.
+  void watch();
+  /// The run is over, from whatever thread this comes.
+  void end();
 
   /// To be held while something is delivered, which should be short: an end that is due waits for it, though
   /// not for long. Once that end has begun, this never returns.
@@ -70,7 +73,6 @@ class Watchdog {
  private:
   using Clock = StopSignal::Clock;
 
-  void watch();
   void look();
   [[noreturn]] void end_process();
 
@@ -86,7 +88,6 @@ class Watchdog {
   std::mutex done_mutex_;
   std::condition_variable wake_;
   bool done_ = false;
-  std::thread thread_;
 };
 
 }  // namespace solitaire

@@ -19,8 +19,8 @@ class LargeStackThread {
   pthread_t thread_{};
 };
 
-/// Runs `work` to its end on such a thread, or on this one where no other can be had. Exceptions must not
-/// leave it.
-void run_on_large_stack(const std::function<void()>& work);
+/// Runs `work` to its end on such a thread, or on this one where no other can be had, and `beside` at the
+/// same time, if there is any: on this thread or on another. Exceptions must not leave them.
+void run_on_large_stack(const std::function<void()>& work, const std::function<void()>& beside = {});
 
 }  // namespace solitaire
