@@ -42,6 +42,7 @@ inline Z3_context make_z3_context(Z3_config config) {
 #define Z3_del_config SOLITAIRE_Z3(Z3_del_config)
 #define Z3_del_context SOLITAIRE_Z3(Z3_del_context)
 #define Z3_get_ast_id SOLITAIRE_Z3(Z3_get_ast_id)
+#define Z3_get_ast_kind SOLITAIRE_Z3(Z3_get_ast_kind)
 #define Z3_get_bv_sort_size SOLITAIRE_Z3(Z3_get_bv_sort_size)
 #define Z3_get_error_code SOLITAIRE_Z3(Z3_get_error_code)
 #define Z3_get_error_msg SOLITAIRE_Z3(Z3_get_error_msg)
