@@ -12,9 +12,9 @@ namespace solitaire {
 
 /// Makes the limits of a run hold, whatever the run is doing: solvers look at a limit only now and then.
 ///
-/// A thread of its own looks at the time, the memory and the stop signal. A limit that came is told to the
-/// stop signal, and the run has half a second to end in good order. If it does not, the watchdog delivers and
-/// says what is left to deliver and to say, and ends the process, the solver with it.
+/// Another thread than the run's looks at the time, the memory and the stop signal. A limit that came is told
+/// to the stop signal, and the run has half a second to end in good order. If it does not, the watchdog
+/// delivers and says what is left to deliver and to say, and ends the process, the solver with it.
 ///
 /// So that each thing is said once and nothing is taken while it changes, what a run has for its user belongs
 /// to whoever holds the mutex: the run while it delivers something, never while it searches, and the watchdog

@@ -61,8 +61,7 @@ class BitBlaster {
   };
   /// What became of a node. 0: nothing yet.
   struct Compiled {
-    std::uint32_t bits =
-        0;  // of a bool, one more than the code of its literal; of an int, where in numbers_,
+    std::uint32_t bits = 0;   // of a bool, 1 + the code of its literal; of an int, where in numbers_,
     std::uint32_t order = 0;  // and where in orders_, both from 1 on
   };
   /// What a choice stands for: literals for its values where these are few, else bits.

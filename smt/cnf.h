@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -26,6 +27,10 @@ class ClauseSink {
   /// By default, all of its clauses.
   virtual void ladder(const Ladder& ladder);
 };
+
+/// What is reserved for the literals of a list of clauses: none that is left unused costs anything, and a
+/// list that grows step by step takes its memory twice.
+inline constexpr std::size_t kUsualLiterals = 1 << 18;
 
 /// Writes what is required of a circuit's literals as clauses.
 ///

@@ -12,10 +12,6 @@ inline std::size_t literal_index(int literal) {
   return literal > 0 ? 2 * static_cast<std::size_t>(literal) : 2 * static_cast<std::size_t>(-literal) + 1;
 }
 
-/// What is reserved for the literals of a list of clauses: none that is left unused costs anything, and a
-/// list that grows step by step takes its memory twice.
-inline constexpr std::size_t kUsualLiterals = 1 << 18;
-
 /// Entries by literal, side by side, made once.
 template <class Entry>
 class LiteralTable {

@@ -15,7 +15,7 @@ class Counted {
   Counted& operator=(const Counted&) { return *this; }
 
  protected:
-  ~Counted() = default;
+  virtual ~Counted() = default;
 
  private:
   template <class T>

@@ -165,31 +165,6 @@ bool Value::identical(const Value& other) const {
   }
 }
 
-void Value::destroy() noexcept {
-  switch (kind_) {
-    case Kind::kString:
-      delete static_cast<String*>(is_.object);
-      break;
-    case Kind::kList:
-      delete static_cast<List*>(is_.object);
-      break;
-    case Kind::kRecord:
-      delete static_cast<Record*>(is_.object);
-      break;
-    case Kind::kClosure:
-      delete static_cast<Closure*>(is_.object);
-      break;
-    case Kind::kRecordType:
-      delete static_cast<RecordType*>(is_.object);
-      break;
-    case Kind::kUnion:
-      delete static_cast<Union*>(is_.object);
-      break;
-    default:
-      break;
-  }
-}
-
 void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
   if (const Symbol* symbol = value.get<Symbol>()) nodes.push_back(symbol->node);
   if (const List* list = value.as_list()) {

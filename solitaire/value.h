@@ -75,7 +75,7 @@ class Value {
     return *this;
   }
   ~Value() {
-    if (counted() && --is_.object->references_ == 0) destroy();
+    if (counted() && --is_.object->references_ == 0) delete is_.object;
   }
 
   static Value nil() { return Nil{}; }
@@ -149,7 +149,6 @@ class Value {
   const BuiltinRef* member(const BuiltinRef*) const { return &is_.builtin; }
 
   bool counted() const { return kind_ >= Kind::kString; }
-  void destroy() noexcept;
 
   Kind kind_ = Kind::kUnset;
   Payload is_ = {};
