@@ -9,7 +9,7 @@ void ChoiceSearch::add(std::span<const Literal> inputs, Cnf& cnf) {
   for (const Literal input : inputs) {
     if (!is_constant(input)) variables.push_back(cnf.variable(input));
   }
-  for (const int variable : variables) propagator_.reserve(variable);
+  propagator_.reserve(cnf.variables());
 }
 
 std::optional<std::size_t> ChoiceSearch::next() const {

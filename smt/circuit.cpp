@@ -6,8 +6,17 @@
 #include "tracegraph/hash.h"
 
 namespace solitaire {
+namespace {
 
-Circuit::Circuit() : gates_(1), table_(1024) {}
+/// Reserved, as what is left unused costs nothing, and a list that grows step by step takes its memory twice.
+constexpr std::size_t kUsualGates = 1 << 16;
+
+}  // namespace
+
+Circuit::Circuit() : table_(1024) {
+  gates_.reserve(kUsualGates);
+  gates_.emplace_back();
+}
 
 Literal Circuit::input() {
   gates_.emplace_back();
@@ -79,9 +88,9 @@ Literal Circuit::defined(std::unique_ptr<Definition> definition) {
 }
 
 std::uint64_t Circuit::hash(const Gate& gate) {
-  std::uint64_t hash = static_cast<std::uint64_t>(gate.kind);
-  for (const Literal operand : gate.operands) hash = mix(hash, operand.code());
-  return hash;
+  const auto [a, b, c] = gate.operands;  // those that it has not are 0
+  return mix(std::uint64_t{a.code()} << 32 | b.code(),
+             std::uint64_t{c.code()} << 32 | static_cast<std::uint64_t>(gate.kind));
 }
 
 Literal Circuit::intern(Kind kind, std::array<Literal, 3> operands) {

@@ -192,7 +192,7 @@ void Cnf::write_comparison(int head, const OrderedPair& pair) {
   const auto& [smaller, larger, strict] = pair;
   const std::int64_t offset = strict ? 1 : 0;
   write_plain(head, {larger->at_least(smaller->values.front() + offset)});
-  Ladder ladder{-head, &chain(*smaller, true), &chain(*larger, false)};
+  Ladder ladder{&chain(*smaller, true), &chain(*larger, false), -head};
   std::size_t implied = 0;
   for (std::uint32_t i = 0; i < smaller->reached.size(); ++i) {
     while (implied < larger->size() && larger->values[implied] < smaller->values[i + 1] + offset) ++implied;

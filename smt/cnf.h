@@ -13,9 +13,9 @@ namespace solitaire {
 /// Clauses between two numbers told by order, each a chain of literals of which those up to some place hold:
 /// where the guard holds, lower[first + i] implies upper[base + i] for each i < count.
 struct Ladder {
-  int guard = 0;
   const std::vector<int>* lower = nullptr;  // of the Cnf, which has one for each number
   const std::vector<int>* upper = nullptr;
+  int guard = 0;
   std::uint32_t first = 0, base = 0, count = 0;
 };
 

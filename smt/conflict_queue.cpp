@@ -7,7 +7,7 @@ namespace solitaire {
 void ConflictQueue::move_to_front(std::span<const int> variables) {
   if (variables.empty()) return;
   const auto last = static_cast<std::size_t>(*std::ranges::max_element(variables));
-  if (links_.size() <= last) links_.resize(2 * last + 1);
+  if (links_.size() <= last) links_.resize(last + 1);
   moving_.assign(variables.begin(), variables.end());
   std::ranges::stable_sort(moving_, {}, [this](int variable) { return link(variable).moved; });
   for (const int variable : moving_) {

@@ -20,17 +20,17 @@ class LiteralTable {
   /// For variables below `variables`. `each` is called twice with a function to call with each literal and
   /// entry.
   template <class Each>
-  LiteralTable(std::size_t variables, Each each) : starts_(2 * variables + 1) {
-    each([&](int literal, const Entry&) { ++starts_[literal_index(literal) + 1]; });
+  LiteralTable(std::size_t variables, Each each) : starts_(2 * variables + 2) {
+    each([&](int literal, const Entry&) { ++starts_[literal_index(literal) + 2]; });
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     entries_.resize(starts_.back());
-    std::vector<std::uint32_t> next = starts_;
-    each([&](int literal, const Entry& entry) { entries_[next[literal_index(literal)]++] = entry; });
+    // What is the start of a literal moves to its end, which is the start of the next one.
+    each([&](int literal, const Entry& entry) { entries_[starts_[literal_index(literal) + 1]++] = entry; });
   }
 
   std::span<const Entry> of(int literal) const {
     const std::size_t at = literal_index(literal);
-    if (at + 1 >= starts_.size()) return {};
+    if (at + 2 >= starts_.size()) return {};
     return {entries_.data() + starts_[at], entries_.data() + starts_[at + 1]};
   }
 

@@ -1,32 +1,35 @@
 #include "smt/order_bounds.h"
 
-#include <unordered_map>
-
 namespace solitaire {
 
+void OrderBounds::add(const Ladder& ladder) {
+  new_steps_.push_back(
+      {ladder.guard, chain(ladder.lower), chain(ladder.upper), ladder.first, ladder.base, ladder.count});
+}
+
+/// The number of a chain, which is new if its literals are.
+std::uint32_t OrderBounds::chain(const std::vector<int>* literals) {
+  const auto [at, is_new] = numbers_.try_emplace(literals, static_cast<std::uint32_t>(chains_.size()));
+  if (is_new) chains_.push_back({*literals, {}, {}, 0, static_cast<std::uint32_t>(literals->size())});
+  return at->second;
+}
+
 void OrderBounds::build(std::size_t variables) {
-  std::unordered_map<const std::vector<int>*, std::uint32_t> numbers;
-  const auto chain = [&](const std::vector<int>* literals) {
-    const auto [at, is_new] = numbers.try_emplace(literals, static_cast<std::uint32_t>(chains_.size()));
-    if (is_new) chains_.push_back({*literals, {}, {}, 0, static_cast<std::uint32_t>(literals->size())});
-    return at->second;
-  };
-  std::vector<Step> steps;
-  for (const auto& [guard, lower, upper, first, base, count] : ladders_) {
-    steps.push_back({guard, chain(lower), chain(upper), first, base, count});
-    chains_[steps.back().lower].as_lower.push_back(steps.back());
-    chains_[steps.back().upper].as_upper.push_back(steps.back());
+  for (const Step& step : new_steps_) {
+    chains_[step.lower].as_lower.push_back(step);
+    chains_[step.upper].as_upper.push_back(step);
   }
-  ladders_ = {};
-  guarded_ = {variables, [&](const auto& put) {
-                for (const Step& step : steps) put(step.guard, step);
+  guarded_ = {variables, [this](const auto& put) {
+                for (const Step& step : new_steps_) put(step.guard, step);
               }};
-  places_ = {variables, [&](const auto& put) {
+  places_ = {variables, [this](const auto& put) {
                for (std::uint32_t i = 0; i < chains_.size(); ++i) {
                  const std::span<const int> literals = chains_[i].literals;
                  for (std::uint32_t at = 0; at < literals.size(); ++at) put(literals[at], Place{i, at});
                }
              }};
+  new_steps_ = {};
+  numbers_ = {};
 }
 
 /// Takes note that the literal at a place holds; whether that is new.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "smt/cnf.h"
@@ -18,9 +19,9 @@ namespace solitaire {
 class OrderBounds {
  public:
   /// Before build().
-  void add(const Ladder& ladder) { ladders_.push_back(ladder); }
+  void add(const Ladder& ladder);
   /// Whether there are ladders that build() did not see.
-  bool has_new() const { return !ladders_.empty(); }
+  bool has_new() const { return !new_steps_.empty(); }
   /// Calls with all literals of these.
   template <class Visit>
   void for_each_literal(Visit visit) const;
@@ -65,7 +66,10 @@ class OrderBounds {
   template <class Value, class Apply>
   bool apply_limit(const Step& step, Value value, Apply apply) const;
 
-  std::vector<Ladder> ladders_;  // before build()
+  std::uint32_t chain(const std::vector<int>* literals);
+
+  std::vector<Step> new_steps_;                                         // before build()
+  std::unordered_map<const std::vector<int>*, std::uint32_t> numbers_;  // of the chains
   std::vector<Chain> chains_;
   LiteralTable<Place> places_;  // of literals in chains
   LiteralTable<Step> guarded_;  // by guard
@@ -74,11 +78,8 @@ class OrderBounds {
 
 template <class Visit>
 void OrderBounds::for_each_literal(Visit visit) const {
-  for (const Ladder& ladder : ladders_) {
-    visit(ladder.guard);
-    std::ranges::for_each(*ladder.lower, visit);
-    std::ranges::for_each(*ladder.upper, visit);
-  }
+  for (const Step& step : new_steps_) visit(step.guard);
+  for (const Chain& chain : chains_) std::ranges::for_each(chain.literals, visit);
 }
 
 template <class Value, class Apply>

@@ -195,7 +195,10 @@ bool Propagator::visit_tables(int falsified) {
     if (is_open(literal)) assign(literal, {kNoClause, falsified});
   }
   for (const auto& [a, b] : triples_.of(falsified)) {
-    if (!apply({falsified, a, b})) return false;
+    // Most say nothing yet.
+    const int value_of_a = value(a), value_of_b = value(b);
+    const bool says_something = value_of_a <= 0 && value_of_b <= 0 && value_of_a + value_of_b < 0;
+    if (says_something && !apply({falsified, a, b})) return false;
   }
   return true;
 }

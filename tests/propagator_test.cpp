@@ -76,7 +76,7 @@ TEST_CASE("propagator: what follows from ladders is what follows from their clau
     for (const Clause& clause : clauses) propagator.clause(clause);
     for (std::size_t i = 2 + random() % 5; i > 0; --i) {
       const std::size_t lower = random() % 2;
-      Ladder ladder{0, &chains[lower], &chains[1 - lower]};
+      Ladder ladder{&chains[lower], &chains[1 - lower]};
       ladder.guard = (8 + static_cast<int>(random() % 5)) * (random() % 2 == 0 ? 1 : -1);
       ladder.first = static_cast<std::uint32_t>(random() % ladder.lower->size());
       ladder.base = static_cast<std::uint32_t>(random() % ladder.upper->size());

@@ -13,6 +13,7 @@ UndefinedOperation::UndefinedOperation(Op undefined)
     : std::runtime_error(fmt::format("'{}' has no value here", operation(undefined).name)), op(undefined) {}
 
 Graph::Graph() {
+  nodes_.reserve(kUsualNodes);
   table_.resize(1024);
   intern({Op::kConstBool, false, {}, {0, 0}, 0});
   intern({Op::kConstBool, false, {}, {1, 1}, 0});

@@ -127,6 +127,10 @@ class Graph {
     std::uint32_t mark = 0;    // a part of its hash
   };
 
+  /// Reserved, as what is left unused costs nothing, and a list that grows step by step takes its memory
+  /// twice.
+  static constexpr std::size_t kUsualNodes = 1 << 15;
+
   std::vector<Node> nodes_;
   std::vector<Entry> table_;  // open addressing
   std::vector<ChoiceVariable> variables_;
