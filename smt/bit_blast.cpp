@@ -133,6 +133,7 @@ void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& litera
 /// Operands first, on an own stack: the graph can be deeper than the machine's.
 void BitBlaster::compile(Part part) {
   compiled_.resize(graph_.size());
+  order_sizes_.reserve(graph_.size());
   while (order_sizes_.size() < graph_.size())
     order_sizes_.push_back(order_size({static_cast<std::uint32_t>(order_sizes_.size())}));
   std::vector<Part> pending{part};

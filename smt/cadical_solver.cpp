@@ -69,22 +69,7 @@ class CadicalSolver : public Solver, private ClauseSink {
         blaster_(graph, circuit_, cnf_),
         nearby_search_(propagator_, cnf_, blaster_, options.seed, spread_.forgets) {
     untold_.reserve(kUsualLiterals);
-    solver_.set("quiet", 1);
-    solver_.set("seed", static_cast<int>(options.seed % 2'000'000'000));
-    // Tried first, it would find the same solution whatever the seed and the suggestions.
-    solver_.set("lucky", 0);
-    solver_.set("stabilizeonly", 1);
-    if (options.diverse) {
-      // Else it would search around the assignment that came furthest, so around the last model.
-      solver_.set("target", 0);
-      // The search for a model near suggested values is short; what simplifying gains is lost with the next
-      // clause. So it is done a tenth as often as CaDiCaL does by itself.
-      solver_.set("elimint", 20'000);
-      solver_.set("probeint", 50'000);
-      solver_.set("subsumeint", 100'000);
-      // As solutions are asked for one after the other, what was learned is worth keeping for a while.
-      solver_.set("reduceint", 1'000);
-    }
+    untold_ladders_.reserve(kUsualLiterals / 16);
   }
 
   void add_clause(std::span<const NodeId> conditions) override {
@@ -103,7 +88,7 @@ class CadicalSolver : public Solver, private ClauseSink {
     tell_cadical();
     switch (solve(signal, assumed)) {
       case kSatisfied:
-        take_model([this](int variable) { return solver_.val(variable) > 0; });
+        take_model([this](int variable) { return solver_->val(variable) > 0; });
         return Verdict::kSatisfiable;
       case kUnsatisfied:
         take_core(assumptions, assumed);
@@ -151,16 +136,38 @@ class CadicalSolver : public Solver, private ClauseSink {
     return found;
   }
 
+  /// It takes its time to be made, and is needed only where the search near suggestions gives up.
+  void make_cadical() {
+    solver_ = std::make_unique<CaDiCaL::Solver>();
+    solver_->set("quiet", 1);
+    solver_->set("seed", static_cast<int>(options_.seed % 2'000'000'000));
+    // Tried first, it would find the same solution whatever the seed and the suggestions.
+    solver_->set("lucky", 0);
+    solver_->set("stabilizeonly", 1);
+    if (options_.diverse) {
+      // Else it would search around the assignment that came furthest, so around the last model.
+      solver_->set("target", 0);
+      // The search for a model near suggested values is short; what simplifying gains is lost with the next
+      // clause. So it is done a tenth as often as CaDiCaL does by itself.
+      solver_->set("elimint", 20'000);
+      solver_->set("probeint", 50'000);
+      solver_->set("subsumeint", 100'000);
+      // As solutions are asked for one after the other, what was learned is worth keeping for a while.
+      solver_->set("reduceint", 1'000);
+    }
+  }
+
   void tell_cadical() {
-    for (const int literal : untold_) solver_.add(literal);
-    CadicalSink sink(solver_);
+    if (solver_ == nullptr) make_cadical();
+    for (const int literal : untold_) solver_->add(literal);
+    CadicalSink sink(*solver_);
     for (const Ladder& ladder : untold_ladders_) sink.ladder(ladder);
     untold_.clear();
     untold_ladders_.clear();
     if (!std::exchange(has_suggestions_, false)) return;
     following_ = nearby_search_.wanted();
     draw_signs();
-    for (const int literal : following_) solver_.phase(literal);
+    for (const int literal : following_) solver_->phase(literal);
   }
 
   /// Of variables that do not follow a suggestion.
@@ -176,22 +183,22 @@ class CadicalSolver : public Solver, private ClauseSink {
 
   int solve(const StopSignal& signal, const std::vector<int>& assumed) {
     Stop stop(signal);
-    solver_.connect_terminator(&stop);
+    solver_->connect_terminator(&stop);
     int status = 0;
     if (!following_.empty()) {
       status = solve_within(kConflictsFollowing, assumed);
-      for (const int literal : following_) solver_.unphase(literal);
+      for (const int literal : following_) solver_->unphase(literal);
       following_.clear();
     }
     if (status == 0 && !signal.stopped()) status = solve_within(effort_, assumed);
-    solver_.disconnect_terminator();
+    solver_->disconnect_terminator();
     return status;
   }
 
   int solve_within(int conflicts, const std::vector<int>& assumed) {
-    for (const int literal : assumed) solver_.assume(literal);
-    if (conflicts > 0) solver_.limit("conflicts", conflicts);  // of this call
-    return solver_.solve();
+    for (const int literal : assumed) solver_->assume(literal);
+    if (conflicts > 0) solver_->limit("conflicts", conflicts);  // of this call
+    return solver_->solve();
   }
 
   /// `value`: of a variable of the clauses.
@@ -215,14 +222,14 @@ class CadicalSolver : public Solver, private ClauseSink {
   void take_core(std::span<const NodeId> assumptions, const std::vector<int>& assumed) {
     core_.clear();
     for (std::size_t i = 0; i < assumed.size(); ++i) {
-      if (solver_.failed(assumed[i])) core_.push_back(assumptions[i]);
+      if (solver_->failed(assumed[i])) core_.push_back(assumptions[i]);
     }
   }
 
   const Graph& graph_;
   const CadicalOptions options_;
   const Spread spread_;
-  CaDiCaL::Solver solver_;
+  std::unique_ptr<CaDiCaL::Solver> solver_;
   Propagator propagator_;
   Circuit circuit_;
   Cnf cnf_;

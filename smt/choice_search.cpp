@@ -1,6 +1,6 @@
 #include "smt/choice_search.h"
 
-#include <algorithm>
+#include <cstdint>
 
 namespace solitaire {
 
@@ -13,16 +13,24 @@ void ChoiceSearch::add(std::span<const Literal> inputs, Cnf& cnf) {
 }
 
 std::optional<std::size_t> ChoiceSearch::next() const {
-  std::ptrdiff_t fewest = PTRDIFF_MAX;
+  std::size_t fewest = SIZE_MAX;
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    const std::ptrdiff_t open = std::count_if(choices_[i].begin(), choices_[i].end(),
-                                              [this](int input) { return propagator_.is_open(input); });
+  for (std::size_t i = 0; i < choices_.size() && fewest > 1; ++i) {
+    const std::size_t open = count_open(i, fewest);
     if (open == 0 || open >= fewest) continue;
     fewest = open;
     best = i;
   }
   return best;
+}
+
+/// How many inputs of a choice are open, if there are fewer than that.
+std::size_t ChoiceSearch::count_open(std::size_t choice, std::size_t bound) const {
+  std::size_t open = 0;
+  for (const int input : choices_[choice]) {
+    if (propagator_.is_open(input) && ++open >= bound) break;
+  }
+  return open;
 }
 
 bool ChoiceSearch::turn_back() {

@@ -24,6 +24,8 @@ class ChoiceSearch {
   bool turn_back();
 
  private:
+  std::size_t count_open(std::size_t choice, std::size_t bound) const;
+
   Propagator& propagator_;
   std::vector<std::vector<int>> choices_;
 };

@@ -6,17 +6,7 @@
 #include "tracegraph/hash.h"
 
 namespace solitaire {
-namespace {
-
-/// Reserved, as what is left unused costs nothing, and a list that grows step by step takes its memory twice.
-constexpr std::size_t kUsualGates = 1 << 16;
-
-}  // namespace
-
-Circuit::Circuit() : table_(1024) {
-  gates_.reserve(kUsualGates);
-  gates_.emplace_back();
-}
+Circuit::Circuit() : gates_(1), table_(1024) {}
 
 Literal Circuit::input() {
   gates_.emplace_back();

@@ -7,11 +7,12 @@ namespace solitaire {
 void ConflictQueue::move_to_front(std::span<const int> variables) {
   if (variables.empty()) return;
   const auto last = static_cast<std::size_t>(*std::ranges::max_element(variables));
-  if (links_.size() <= last) links_.resize(last + 1);
-  moving_.assign(variables.begin(), variables.end());
-  std::ranges::stable_sort(moving_, {}, [this](int variable) { return link(variable).moved; });
-  for (const int variable : moving_) {
-    if (link(variable).moved != 0) take_out(variable);
+  links_.resize(last + 1);
+  moving_.clear();
+  for (const int variable : variables) moving_.push_back({link(variable).moved, moving_.size(), variable});
+  std::ranges::sort(moving_);
+  for (const auto& [moved, place, variable] : moving_) {
+    if (moved != 0) take_out(variable);
     put_first(variable);
   }
 }

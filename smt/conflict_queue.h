@@ -1,8 +1,11 @@
 #pragma once
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "smt/sparse_table.h"
 
 namespace solitaire {
 
@@ -22,7 +25,9 @@ class ConflictQueue {
   /// The variable is open again.
   void open(int variable) {
     const auto at = static_cast<std::size_t>(variable);
-    if (at < links_.size() && links_[at].moved > (next_ == 0 ? 0 : link(next_).moved)) next_ = variable;
+    if (at >= links_.size()) return;
+    const Link* const met = links_.find(at);
+    if (met != nullptr && met->moved > (next_ == 0 ? 0 : link(next_).moved)) next_ = variable;
   }
   /// Forgets everything.
   void clear();
@@ -34,15 +39,23 @@ class ConflictQueue {
     std::uint64_t moved = 0;  // when, the later the larger; 0: never
   };
 
+  /// Sorted by when it was moved last, then as given.
+  struct Moving {
+    std::uint64_t moved;
+    std::size_t place;
+    int variable;
+    friend auto operator<=>(const Moving&, const Moving&) = default;
+  };
+
   Link& link(int variable) { return links_[static_cast<std::size_t>(variable)]; }
   void take_out(int variable);
   void put_first(int variable);
 
-  std::vector<Link> links_;  // by variable
+  SparseTable<Link> links_;  // by variable
   int front_ = 0;
   int next_ = 0;  // none ahead of it is open
   std::uint64_t moves_ = 0;
-  std::vector<int> moving_;
+  std::vector<Moving> moving_;
 };
 
 }  // namespace solitaire

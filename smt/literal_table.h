@@ -1,9 +1,9 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
-#include <vector>
+
+#include "smt/grouped_table.h"
 
 namespace solitaire {
 
@@ -20,23 +20,18 @@ class LiteralTable {
   /// For variables below `variables`. `each` is called twice with a function to call with each literal and
   /// entry.
   template <class Each>
-  LiteralTable(std::size_t variables, Each each) : starts_(2 * variables + 2) {
-    each([&](int literal, const Entry&) { ++starts_[literal_index(literal) + 2]; });
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    entries_.resize(starts_.back());
-    // What is the start of a literal moves to its end, which is the start of the next one.
-    each([&](int literal, const Entry& entry) { entries_[starts_[literal_index(literal) + 1]++] = entry; });
-  }
+  LiteralTable(std::size_t variables, Each each)
+      : middle_(static_cast<std::ptrdiff_t>(variables)), table_(2 * variables, [&](const auto& put) {
+          each([&](int literal, const Entry& entry) { put(group(literal), entry); });
+        }) {}
 
-  std::span<const Entry> of(int literal) const {
-    const std::size_t at = literal_index(literal);
-    if (at + 2 >= starts_.size()) return {};
-    return {entries_.data() + starts_[at], entries_.data() + starts_[at + 1]};
-  }
+  std::span<const Entry> of(int literal) const { return table_.of(group(literal)); }
 
  private:
-  std::vector<std::uint32_t> starts_;  // by literal, and the end
-  std::vector<Entry> entries_;
+  std::size_t group(int literal) const { return static_cast<std::size_t>(middle_ + literal); }
+
+  std::ptrdiff_t middle_ = 0;  // between the literals' negations and them
+  GroupedTable<Entry> table_;
 };
 
 }  // namespace solitaire

@@ -1,6 +1,7 @@
 #include "smt/order.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace solitaire {
@@ -8,11 +9,11 @@ namespace {
 
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && a < 0 ? 1 : 0); }
 
-/// A number that can have these values. Of those that no value of the literals leads to, none is kept. That a
-/// value is always reached may show only at a later one.
+/// A number that can have these values, which are sorted. Of those that no value of the literals leads to,
+/// none is kept. That a value is always reached may show only at a later one. `at_least` is asked in their
+/// order.
 template <class AtLeast>
 Order make(std::vector<std::int64_t> values, AtLeast at_least) {
-  std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   Order made{{values.front()}, {}};
   for (std::size_t i = 1; i < values.size(); ++i) {
@@ -34,6 +35,18 @@ std::vector<std::int64_t> values_of_both(const Order& a, const Order& b) {
   std::vector<std::int64_t> values;
   std::merge(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), std::back_inserter(values));
   return values;
+}
+
+std::vector<std::int64_t> sums_of_both(const Order& a, const Order& b) {
+  std::vector<std::int64_t> sums, with_one, all;
+  for (const std::int64_t y : b.values) {
+    with_one = a.values;
+    for (std::int64_t& value : with_one) value += y;
+    all.clear();
+    std::ranges::set_union(sums, with_one, std::back_inserter(all));
+    sums.swap(all);
+  }
+  return sums;
 }
 
 /// The literals of the number will stand in clauses.
@@ -101,10 +114,12 @@ Literal is(Circuit& circuit, const Order& a, std::int64_t value) {
 }  // namespace
 
 Literal Order::at_least(std::int64_t bound) const {
-  const auto position = std::ranges::lower_bound(values, bound) - values.begin();
+  return reaches(static_cast<std::size_t>(std::ranges::lower_bound(values, bound) - values.begin()));
+}
+
+Literal Order::reaches(std::size_t position) const {
   if (position == 0) return kTrueLiteral;
-  if (position == static_cast<std::ptrdiff_t>(values.size())) return kFalseLiteral;
-  return reached[static_cast<std::size_t>(position) - 1];
+  return position == values.size() ? kFalseLiteral : reached[position - 1];
 }
 
 Order constant_order(std::int64_t value) { return {{value}, {}}; }
@@ -131,16 +146,15 @@ Order divided(const Order& a, std::int64_t divisor) {
 
 Order sum(Circuit& circuit, const Order& a, const Order& b) {
   if (a.size() < b.size()) return sum(circuit, b, a);
-  std::vector<std::int64_t> values;
-  for (const std::int64_t x : a.values) {
-    for (const std::int64_t y : b.values) values.push_back(x + y);
-  }
-  return make(std::move(values), [&](std::int64_t bound) {
+  std::vector<std::size_t> least(
+      b.size());  // by value of b: the first value of a that reaches the bound with it
+  return make(sums_of_both(a, b), [&](std::int64_t bound) {
     Literal any = kFalseLiteral;
     Literal rest = kFalseLiteral;
-    for (const std::int64_t value : b.values) {
-      const Literal needed = a.at_least(bound - value);
-      if (needed != rest) any = circuit.disjunction(any, circuit.conjunction(b.at_least(value), needed));
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      while (least[i] < a.size() && a.values[least[i]] + b.values[i] < bound) ++least[i];
+      const Literal needed = a.reaches(least[i]);
+      if (needed != rest) any = circuit.disjunction(any, circuit.conjunction(b.reaches(i), needed));
       rest = needed;
     }
     return any;

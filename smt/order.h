@@ -17,6 +17,8 @@ struct Order {
   std::size_t size() const { return values.size(); }
   /// Whether the number is no less than the bound.
   Literal at_least(std::int64_t bound) const;
+  /// Whether it is no less than the value at that position, or than anything, behind the last one.
+  Literal reaches(std::size_t position) const;
   /// Whether it is more than the bound.
   Literal more_than(std::int64_t bound) const { return at_least(bound + 1); }
 };

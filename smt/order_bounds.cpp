@@ -3,24 +3,28 @@
 namespace solitaire {
 
 void OrderBounds::add(const Ladder& ladder) {
-  new_steps_.push_back(
+  steps_.push_back(
       {ladder.guard, chain(ladder.lower), chain(ladder.upper), ladder.first, ladder.base, ladder.count});
 }
 
 /// The number of a chain, which is new if its literals are.
 std::uint32_t OrderBounds::chain(const std::vector<int>* literals) {
   const auto [at, is_new] = numbers_.try_emplace(literals, static_cast<std::uint32_t>(chains_.size()));
-  if (is_new) chains_.push_back({*literals, {}, {}, 0, static_cast<std::uint32_t>(literals->size())});
+  if (is_new) chains_.push_back({*literals, 0, static_cast<std::uint32_t>(literals->size())});
   return at->second;
 }
 
 void OrderBounds::build(std::size_t variables) {
-  for (const Step& step : new_steps_) {
-    chains_[step.lower].as_lower.push_back(step);
-    chains_[step.upper].as_upper.push_back(step);
-  }
+  built_ = steps_.size();
+  const auto by_chain = [this](std::uint32_t Step::*chain) {
+    return GroupedTable<std::uint32_t>(chains_.size(), [=, this](const auto& put) {
+      for (std::uint32_t i = 0; i < built_; ++i) put(steps_[i].*chain, i);
+    });
+  };
+  as_lower_ = by_chain(&Step::lower);
+  as_upper_ = by_chain(&Step::upper);
   guarded_ = {variables, [this](const auto& put) {
-                for (const Step& step : new_steps_) put(step.guard, step);
+                for (std::uint32_t i = 0; i < built_; ++i) put(steps_[i].guard, i);
               }};
   places_ = {variables, [this](const auto& put) {
                for (std::uint32_t i = 0; i < chains_.size(); ++i) {
@@ -28,7 +32,6 @@ void OrderBounds::build(std::size_t variables) {
                  for (std::uint32_t at = 0; at < literals.size(); ++at) put(literals[at], Place{i, at});
                }
              }};
-  new_steps_ = {};
   numbers_ = {};
 }
 

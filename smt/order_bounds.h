@@ -21,7 +21,7 @@ class OrderBounds {
   /// Before build().
   void add(const Ladder& ladder);
   /// Whether there are ladders that build() did not see.
-  bool has_new() const { return !new_steps_.empty(); }
+  bool has_new() const { return built_ < steps_.size(); }
   /// Calls with all literals of these.
   template <class Visit>
   void for_each_literal(Visit visit) const;
@@ -47,7 +47,6 @@ class OrderBounds {
   };
   struct Chain {
     std::span<const int> literals;
-    std::vector<Step> as_lower, as_upper;
     std::uint32_t reached = 0;  // one more than the last place whose literal holds
     std::uint32_t limit = 0;    // the first place whose literal does not hold
   };
@@ -68,31 +67,33 @@ class OrderBounds {
 
   std::uint32_t chain(const std::vector<int>* literals);
 
-  std::vector<Step> new_steps_;                                         // before build()
+  std::vector<Step> steps_;
+  std::size_t built_ = 0;                                               // of the steps
   std::unordered_map<const std::vector<int>*, std::uint32_t> numbers_;  // of the chains
   std::vector<Chain> chains_;
-  LiteralTable<Place> places_;  // of literals in chains
-  LiteralTable<Step> guarded_;  // by guard
+  LiteralTable<Place> places_;                       // of literals in chains
+  GroupedTable<std::uint32_t> as_lower_, as_upper_;  // numbers of steps, by chain
+  LiteralTable<std::uint32_t> guarded_;              // the same by guard
   std::vector<Bounds> changed_;
 };
 
 template <class Visit>
 void OrderBounds::for_each_literal(Visit visit) const {
-  for (const Step& step : new_steps_) visit(step.guard);
+  for (const Step& step : steps_) visit(step.guard);
   for (const Chain& chain : chains_) std::ranges::for_each(chain.literals, visit);
 }
 
 template <class Value, class Apply>
 bool OrderBounds::visit(int assigned, Value value, Apply apply) {
-  const auto reached = [&](const Step& step) { return apply_reached(step, value, apply); };
-  const auto limit = [&](const Step& step) { return apply_limit(step, value, apply); };
+  const auto reached = [&](std::uint32_t step) { return apply_reached(steps_[step], value, apply); };
+  const auto limit = [&](std::uint32_t step) { return apply_limit(steps_[step], value, apply); };
   for (const Place place : places_.of(assigned)) {
-    if (raise(place) && !std::ranges::all_of(chains_[place.chain].as_lower, reached)) return false;
+    if (raise(place) && !std::ranges::all_of(as_lower_.of(place.chain), reached)) return false;
   }
   for (const Place place : places_.of(-assigned)) {
-    if (lower(place) && !std::ranges::all_of(chains_[place.chain].as_upper, limit)) return false;
+    if (lower(place) && !std::ranges::all_of(as_upper_.of(place.chain), limit)) return false;
   }
-  for (const Step& step : guarded_.of(assigned)) {
+  for (const std::uint32_t step : guarded_.of(assigned)) {
     if (!reached(step) || !limit(step)) return false;
   }
   return true;

@@ -20,11 +20,16 @@ void for_each_clause(const std::vector<int>& clauses, Visit visit) {
 }  // namespace
 
 void Propagator::reserve(int variable) {
-  const std::size_t size = 2 * (static_cast<std::size_t>(variable) + 1);
-  if (values_.size() >= size) return;
-  values_.resize(size);
-  watching_.resize(size);
-  assigned_.resize(size / 2);
+  const std::size_t size = static_cast<std::size_t>(variable) + 1;
+  if (assigned_.size() >= size) return;
+  if (variable > middle_) {
+    const int more = std::max(variable, 2 * middle_) - middle_;
+    values_.insert(values_.begin(), static_cast<std::size_t>(more), Truth::kOpen);
+    values_.insert(values_.end(), static_cast<std::size_t>(more), Truth::kOpen);
+    middle_ += more;
+  }
+  watches_.resize(2 * size);
+  assigned_.resize(size);
 }
 
 Propagator::Propagator() {
@@ -33,7 +38,9 @@ Propagator::Propagator() {
 }
 
 void Propagator::clause(std::span<const int> literals) {
-  for (const int literal : literals) largest_ = std::max(largest_, std::abs(literal));
+  int largest = largest_;
+  for (const int literal : literals) largest = std::max(largest, std::abs(literal));
+  largest_ = largest;
   if (!has_tables_ && literals.size() == 2) {
     new_pairs_.push_back({literals[0], literals[1]});
   } else if (!has_tables_ && literals.size() == 3) {
@@ -113,14 +120,7 @@ void Propagator::watch(std::uint32_t clause) {
   watch(literals[1], {clause, literals[0]});
 }
 
-void Propagator::watch(int literal, Watch watch) {
-  std::uint32_t& number = watching_[literal_index(literal)];
-  if (number == 0) {
-    watches_.emplace_back();
-    number = static_cast<std::uint32_t>(watches_.size());
-  }
-  watches_[number - 1].push_back(watch);
-}
+void Propagator::watch(int literal, Watch watch) { watches_[literal_index(literal)].push_back(watch); }
 
 void Propagator::learn(std::span<const int> clause) {
   if (clause.size() == 1) {
@@ -130,13 +130,13 @@ void Propagator::learn(std::span<const int> clause) {
   const std::uint32_t start = append(clause);
   watch(start);
   learned_.push_back(start);
-  assign(clause[0], {start});
+  assign(clause[0], start);
 }
 
 void Propagator::forget_half() {
   const std::vector<int> all = std::exchange(literals_, {});
   const std::vector<std::uint32_t> learned = std::exchange(learned_, {});
-  for (std::vector<Watch>& watches : watches_) watches.clear();
+  for (std::vector<Watch>& watches : watches_.entries()) watches.clear();
   std::size_t met = 0;
   for (std::size_t at = 0; at < all.size(); at += static_cast<std::size_t>(all[at]) + 1) {
     const bool is_learned = met < learned.size() && learned[met] == at;
@@ -152,11 +152,11 @@ void Propagator::decide(int literal) {
   assign(literal);
 }
 
-void Propagator::assign(int literal, Reason reason) {
+void Propagator::assign(int literal, std::uint32_t clause, int first, int second) {
   assigned_[static_cast<std::size_t>(std::abs(literal))] = {static_cast<std::uint32_t>(levels_.size()),
-                                                            reason};
-  values_[literal_index(literal)] = 1;
-  values_[literal_index(-literal)] = -1;
+                                                            {clause, first, second}};
+  set(literal, Truth::kHolds);
+  set(-literal, Truth::kFails);
   trail_.push_back(literal);
 }
 
@@ -164,8 +164,8 @@ int Propagator::undo() {
   const Level level = levels_.back();
   const int decision = trail_[level.trail];
   for (std::size_t i = level.trail; i < trail_.size(); ++i) {
-    values_[literal_index(trail_[i])] = 0;
-    values_[literal_index(-trail_[i])] = 0;
+    set(trail_[i], Truth::kOpen);
+    set(-trail_[i], Truth::kOpen);
   }
   bounds_.undo_to(level.bounds);
   trail_.resize(level.trail);
@@ -192,13 +192,10 @@ bool Propagator::visit_tables(int falsified) {
       conflict_ = {falsified, literal};
       return false;
     }
-    if (is_open(literal)) assign(literal, {kNoClause, falsified});
+    if (is_open(literal)) assign(literal, kNoClause, falsified);
   }
   for (const auto& [a, b] : triples_.of(falsified)) {
-    // Most say nothing yet.
-    const int value_of_a = value(a), value_of_b = value(b);
-    const bool says_something = value_of_a <= 0 && value_of_b <= 0 && value_of_a + value_of_b < 0;
-    if (says_something && !apply({falsified, a, b})) return false;
+    if (!apply(falsified, a, b)) return false;
   }
   return true;
 }
@@ -206,43 +203,42 @@ bool Propagator::visit_tables(int falsified) {
 bool Propagator::visit_bounds(int assigned) {
   return bounds_.visit(
       assigned, [this](int literal) { return value(literal); },
-      [this](int guard, int lower, int upper) {
-        return apply({-guard, -lower, upper});
-      });
+      [this](int guard, int lower, int upper) { return apply(-guard, -lower, upper); });
 }
 
 /// Assigns what is left of a clause, if it is a single literal; false if nothing is.
-bool Propagator::apply(Three clause) {
-  int open = 0;
-  for (const int literal : clause) {
-    const int value = this->value(literal);
-    if (value > 0 || (value == 0 && open != 0)) return true;
-    if (value == 0) open = literal;
-  }
-  if (open == 0) {
-    conflict_.assign(clause.begin(), clause.end());
+bool Propagator::apply(int a, int b, int c) {
+  const int value_of_a = value(a), value_of_b = value(b), value_of_c = value(c);
+  if (value_of_a > 0 || value_of_b > 0 || value_of_c > 0) return true;
+  const int fail = -(value_of_a + value_of_b + value_of_c);
+  if (fail < 2) return true;
+  if (fail == 3) {
+    conflict_ = {a, b, c};
     return false;
   }
-  const int first = clause[0] == open ? clause[1] : clause[0];
-  const int second = clause[2] == open ? clause[1] : clause[2];
-  assign(open, {kNoClause, first, second});
+  if (value_of_a == 0) {
+    assign(a, kNoClause, b, c);
+  } else if (value_of_b == 0) {
+    assign(b, kNoClause, a, c);
+  } else {
+    assign(c, kNoClause, a, b);
+  }
   return true;
 }
 
 /// Clauses that watch the literal find another one to watch, or what is left of them follows.
 bool Propagator::visit_clauses(int falsified) {
-  const std::uint32_t number = watching_[literal_index(falsified)];
-  if (number == 0) return true;
-  std::vector<Watch>& watches = watches_[number - 1];
+  std::vector<Watch>* const watches = watches_.find(literal_index(falsified));
+  if (watches == nullptr) return true;
   std::size_t kept = 0;
   bool holds = true;
-  for (std::size_t i = 0; i < watches.size(); ++i) {
-    Watch watch = watches[i];
+  for (std::size_t i = 0; i < watches->size(); ++i) {
+    Watch watch = (*watches)[i];
     bool moved = false;
     if (holds && value(watch.blocker) <= 0) holds = visit(watch, falsified, &moved);
-    if (!moved) watches[kept++] = watch;
+    if (!moved) (*watches)[kept++] = watch;
   }
-  watches.resize(kept);
+  watches->resize(kept);
   return holds;
 }
 
@@ -263,7 +259,7 @@ bool Propagator::visit(Watch& watch, int falsified, bool* moved) {
     conflict_.assign(clause, clause + size);
     return false;
   }
-  assign(clause[0], {watch.clause});
+  assign(clause[0], watch.clause);
   return true;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <span>
 #include <vector>
 
 #include "smt/cnf.h"
 #include "smt/literal_table.h"
 #include "smt/order_bounds.h"
+#include "smt/sparse_table.h"
 
 namespace solitaire {
 
@@ -31,8 +31,7 @@ class Propagator : public ClauseSink {
   std::size_t variables() const { return assigned_.size(); }
   /// -1 false, 1 true, 0 open.
   int value(int literal) const {
-    const int value = values_[literal_index(literal)];
-    return value;
+    return static_cast<int>(values_[static_cast<std::size_t>(middle_ + literal)]);
   }
   bool is_open(int literal) const { return value(literal) == 0; }
 
@@ -40,7 +39,7 @@ class Propagator : public ClauseSink {
   void reserve(int variable);
   /// Assigns an open literal as a decision, or as a consequence of those before for which there is no clause.
   void decide(int literal);
-  void assign(int literal) { assign(literal, Reason{}); }
+  void assign(int literal) { assign(literal, kNoClause); }
   /// Assigns all that follows; false if a clause is broken, and for good if that is without decisions.
   bool propagate();
   std::size_t decisions() const { return levels_.size(); }
@@ -67,6 +66,8 @@ class Propagator : public ClauseSink {
   void forget_half();
 
  private:
+  enum class Truth : std::int8_t { kFails = -1, kOpen, kHolds };
+
   struct Watch {
     std::uint32_t clause;  // where it starts in literals_
     int blocker;           // a literal of the clause: if it holds, so does the clause
@@ -97,26 +98,28 @@ class Propagator : public ClauseSink {
   std::uint32_t append(std::span<const int> literals);
   void watch(std::uint32_t clause);
   void watch(int literal, Watch watch);
-  void assign(int literal, Reason reason);
+  /// Because of the clause that starts there, or of one in a table, whose others these are.
+  void assign(int literal, std::uint32_t clause, int first = 0, int second = 0);
+  void set(int literal, Truth value) { values_[static_cast<std::size_t>(middle_ + literal)] = value; }
   std::span<const int> literals_of(std::uint32_t clause) const {
     return {&literals_[clause] + 1, static_cast<std::size_t>(literals_[clause])};
   }
   bool visit_tables(int falsified);
   bool visit_bounds(int assigned);
-  bool apply(Three clause);
+  bool apply(int a, int b, int c);
   bool visit_clauses(int falsified);
   bool visit(Watch& watch, int falsified, bool* moved);
 
-  std::vector<signed char> values_;  // by literal
-  std::vector<Assigned> assigned_;   // by variable
-  LiteralTable<int> pairs_;          // of clauses of two, the other literal
-  LiteralTable<Two> triples_;        // of clauses of three, the others
-  OrderBounds bounds_;               // of ladders
+  std::vector<Truth> values_{Truth::kOpen};  // by literal, from that of -middle_ to that of middle_
+  int middle_ = 0;
+  std::vector<Assigned> assigned_;  // by variable
+  LiteralTable<int> pairs_;         // of clauses of two, the other literal
+  LiteralTable<Two> triples_;       // of clauses of three, the others
+  OrderBounds bounds_;              // of ladders
   bool has_tables_ = false;
-  std::vector<std::uint32_t> watching_;     // by literal: where its watches are, from 1 on; 0: it has none
-  std::deque<std::vector<Watch>> watches_;  // of few literals, for most clauses stand in tables
-  std::vector<int> literals_;               // of clauses with watches, each behind its length
-  std::vector<Two> new_pairs_;              // clauses for the tables, until these are made
+  SparseTable<std::vector<Watch>> watches_;  // by literal; few have any, as most clauses stand in tables
+  std::vector<int> literals_;                // of clauses with watches, each behind its length
+  std::vector<Two> new_pairs_;               // clauses for the tables, until these are made
   std::vector<Three> new_triples_;
   std::vector<int> waiting_;  // other clauses since the last propagation, each behind its length
   int largest_ = 0;           // variable of all these

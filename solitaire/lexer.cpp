@@ -92,7 +92,9 @@ class Lexer {
 
  private:
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-  bool starts_with(std::string_view prefix) const { return text_.substr(at_, prefix.size()) == prefix; }
+  bool starts_with(std::string_view prefix) const {
+    return peek() == prefix.front() && text_.substr(at_, prefix.size()) == prefix;
+  }
   Span span() const { return {source_, static_cast<std::uint32_t>(start_), static_cast<std::uint32_t>(at_)}; }
 
   Token& push(TokenKind kind) {
@@ -172,7 +174,7 @@ class Lexer {
     while (is_name_part(peek())) ++at_;
     const std::string_view name = text_.substr(start_, at_ - start_);
     for (const auto& [spelling, kind] : kKeywords) {
-      if (name == spelling) {
+      if (name.front() == spelling.front() && name == spelling) {
         push(kind);
         return;
       }

@@ -13,7 +13,6 @@ UndefinedOperation::UndefinedOperation(Op undefined)
     : std::runtime_error(fmt::format("'{}' has no value here", operation(undefined).name)), op(undefined) {}
 
 Graph::Graph() {
-  nodes_.reserve(kUsualNodes);
   table_.resize(1024);
   intern({Op::kConstBool, false, {}, {0, 0}, 0});
   intern({Op::kConstBool, false, {}, {1, 1}, 0});
@@ -26,7 +25,7 @@ std::size_t Graph::VariableHash::operator()(const ChoiceVariable& variable) cons
   return mix(hash, static_cast<std::uint64_t>(domain.step) * 4 + static_cast<std::uint64_t>(domain.kind));
 }
 
-std::uint64_t Graph::hash(const Node& node) const {
+inline std::uint64_t Graph::hash(const Node& node) {
   const auto [a, b, c] = node.operands;  // those that it has not are 0
   std::uint64_t hash = mix(std::uint64_t{a.index} << 32 | b.index,
                            std::uint64_t{c.index} << 32 | static_cast<std::uint64_t>(node.op));

@@ -119,17 +119,13 @@ class Graph {
   bool opposite(NodeId a, NodeId b) const;
   bool is_int(NodeId id, std::int64_t value) const;
   void grow_table();
-  std::uint64_t hash(const Node& node) const;
+  static std::uint64_t hash(const Node& node);
 
   /// Of the hash table.
   struct Entry {
     std::uint32_t number = 0;  // one more than the index of a node; 0: free
     std::uint32_t mark = 0;    // a part of its hash
   };
-
-  /// Reserved, as what is left unused costs nothing, and a list that grows step by step takes its memory
-  /// twice.
-  static constexpr std::size_t kUsualNodes = 1 << 15;
 
   std::vector<Node> nodes_;
   std::vector<Entry> table_;  // open addressing

@@ -54,6 +54,8 @@ constexpr Type kB = Type::kBool;
 constexpr Type kI = Type::kInt;
 constexpr Type kF = Type::kFloat;
 
+}  // namespace
+
 // clang-format off
 constexpr std::array<Operation, kOpCount> kOperations = {{
     {Op::kConstBool, "bool", "", 0, kB, kB, nullptr, nullptr},
@@ -101,6 +103,8 @@ constexpr std::array<Operation, kOpCount> kOperations = {{
 }};
 // clang-format on
 
+namespace {
+
 constexpr bool complete() {
   for (std::size_t i = 0; i < kOpCount; ++i) {
     const Operation& row = kOperations[i];
@@ -114,8 +118,6 @@ constexpr bool complete() {
 static_assert(complete(), "every operation has its row, in the order of enum Op, with a fold and int bounds");
 
 }  // namespace
-
-const Operation& operation(Op op) { return kOperations[static_cast<std::size_t>(op)]; }
 
 Op ite_of(Type type) {
   switch (type) {

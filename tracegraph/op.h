@@ -52,7 +52,8 @@ struct Operation {
   Bounds bounds;  // null unless the result is an int
 };
 
-const Operation& operation(Op op);
+extern const std::array<Operation, kOpCount> kOperations;
+inline const Operation& operation(Op op) { return kOperations[static_cast<std::size_t>(op)]; }
 
 /// The ite (phi) of that type: ite(condition, then, else).
 Op ite_of(Type type);
