@@ -133,9 +133,9 @@ void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& litera
 /// Operands first, on an own stack: the graph can be deeper than the machine's.
 void BitBlaster::compile(Part part) {
   compiled_.resize(graph_.size());
-  order_sizes_.reserve(graph_.size());
-  while (order_sizes_.size() < graph_.size())
-    order_sizes_.push_back(order_size({static_cast<std::uint32_t>(order_sizes_.size())}));
+  const auto met = static_cast<std::uint32_t>(order_sizes_.size());
+  order_sizes_.resize(graph_.size());
+  for (std::uint32_t node = met; node < graph_.size(); ++node) order_sizes_[node] = order_size({node});
   std::vector<Part> pending{part};
   while (!pending.empty()) {
     const Part at = pending.back();

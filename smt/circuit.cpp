@@ -6,6 +6,7 @@
 #include "tracegraph/hash.h"
 
 namespace solitaire {
+
 Circuit::Circuit() : gates_(1), table_(1024) {}
 
 Literal Circuit::input() {

@@ -146,8 +146,8 @@ Order divided(const Order& a, std::int64_t divisor) {
 
 Order sum(Circuit& circuit, const Order& a, const Order& b) {
   if (a.size() < b.size()) return sum(circuit, b, a);
-  std::vector<std::size_t> least(
-      b.size());  // by value of b: the first value of a that reaches the bound with it
+  // By value of b: the first value of a that reaches the bound with it.
+  std::vector<std::size_t> least(b.size());
   return make(sums_of_both(a, b), [&](std::int64_t bound) {
     Literal any = kFalseLiteral;
     Literal rest = kFalseLiteral;

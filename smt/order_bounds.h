@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "smt/cnf.h"
+#include "smt/grouped_table.h"
 #include "smt/literal_table.h"
 
 namespace solitaire {

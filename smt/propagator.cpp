@@ -210,9 +210,9 @@ bool Propagator::visit_bounds(int assigned) {
 bool Propagator::apply(int a, int b, int c) {
   const int value_of_a = value(a), value_of_b = value(b), value_of_c = value(c);
   if (value_of_a > 0 || value_of_b > 0 || value_of_c > 0) return true;
-  const int fail = -(value_of_a + value_of_b + value_of_c);
-  if (fail < 2) return true;
-  if (fail == 3) {
+  const int failing = -(value_of_a + value_of_b + value_of_c);
+  if (failing < 2) return true;
+  if (failing == 3) {
     conflict_ = {a, b, c};
     return false;
   }

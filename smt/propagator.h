@@ -66,6 +66,7 @@ class Propagator : public ClauseSink {
   void forget_half();
 
  private:
+  /// An enum, as what is written as a char may be anything, after which all else would be read again.
   enum class Truth : std::int8_t { kFails = -1, kOpen, kHolds };
 
   struct Watch {
