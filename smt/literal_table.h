@@ -1,16 +1,10 @@
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "smt/grouped_table.h"
 
 namespace solitaire {
-
-/// A literal of ClauseSink as a place in a vector: that of a variable, then its negation, from 2 on.
-inline std::size_t literal_index(int literal) {
-  return literal > 0 ? 2 * static_cast<std::size_t>(literal) : 2 * static_cast<std::size_t>(-literal) + 1;
-}
 
 /// Entries by literal, side by side, made once.
 template <class Entry>

@@ -17,6 +17,11 @@ void for_each_clause(const std::vector<int>& clauses, Visit visit) {
   }
 }
 
+/// A literal of ClauseSink as an index of the watches: that of a variable, then its negation, from 2 on.
+std::size_t literal_index(int literal) {
+  return literal > 0 ? 2 * static_cast<std::size_t>(literal) : 2 * static_cast<std::size_t>(-literal) + 1;
+}
+
 }  // namespace
 
 void Propagator::reserve(int variable) {
