@@ -33,8 +33,8 @@ ExitStatus check(const Options& options, Watchdog& watchdog) {
   try {
     bool complete = true;
     if (options.deep) {
-      const std::vector<Diagnostic> mistakes = engine.find_mistakes(&complete);
-      if (!mistakes.empty()) throw ProgramError(mistakes);
+      const std::vector<Diagnostic> program_errors = engine.find_mistakes(&complete);
+      if (!program_errors.empty()) throw ProgramError(program_errors);
     } else {
       complete = engine.check_mistakes();
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/options.h"
 #include "app/watchdog.h"
+#include "base/file_error.h"
 
 namespace solitaire {
 

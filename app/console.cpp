@@ -11,7 +11,8 @@
 #include <unistd.h>
 
 #include "app/signals.h"
-#include "solitaire/diagnostic.h"
+#include "base/diagnostic.h"
+#include "base/file_error.h"
 
 namespace solitaire {
 namespace {

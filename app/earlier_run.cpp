@@ -4,7 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "solitaire/diagnostic.h"
+#include "base/diagnostic.h"
+#include "base/file_error.h"
 
 namespace solitaire {
 namespace {

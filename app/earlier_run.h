@@ -3,7 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "engines/tracing.h"
+#include "base/file_error.h"
+#include "engines/solve/tracing.h"
 
 namespace solitaire {
 

@@ -28,17 +28,17 @@ std::string quote(Span span, const SourceSet& sources) {
 const char* kind_of(const Condition& condition) {
   if (condition.pin != nullptr) return condition.pin->forbidden ? "forbid" : "pin";
   switch (condition.requirement) {
-    case Requirement::kAssert:
+    case ConstraintKind::kAssert:
       return "assert";
-    case Requirement::kLowEnd:
-    case Requirement::kHighEnd:
-    case Requirement::kStep:
+    case ConstraintKind::kLowEnd:
+    case ConstraintKind::kHighEnd:
+    case ConstraintKind::kStep:
       return "range";
-    case Requirement::kNotEmpty:
+    case ConstraintKind::kNotEmpty:
       return "choice";
-    case Requirement::kIndex:
+    case ConstraintKind::kIndex:
       return "index";
-    case Requirement::kDivisor:
+    case ConstraintKind::kDivisor:
       return "divisor";
   }
   return "";
@@ -52,13 +52,13 @@ std::string value_text(std::int64_t value, ChoiceKind kind) {
 /// Whether both are ends of the same range, and numbers.
 bool same_range(const Condition& a, const Condition& b) {
   return a.pin == nullptr && b.pin == nullptr && a.address == b.address && a.span == b.span &&
-         a.requirement == Requirement::kLowEnd && b.requirement == Requirement::kHighEnd && a.domain &&
+         a.requirement == ConstraintKind::kLowEnd && b.requirement == ConstraintKind::kHighEnd && a.domain &&
          b.domain;
 }
 
 std::string end_text(const Condition& condition, const std::string& choice) {
-  if (condition.requirement == Requirement::kStep) return choice + " is one of the steps of its range";
-  const bool low = condition.requirement == Requirement::kLowEnd;
+  if (condition.requirement == ConstraintKind::kStep) return choice + " is one of the steps of its range";
+  const bool low = condition.requirement == ConstraintKind::kLowEnd;
   if (!condition.domain) return fmt::format("{} is not {} its range", choice, low ? "below" : "above");
   return fmt::format("{} is at {} {}", choice, low ? "least" : "most",
                      low ? condition.domain->lo : condition.domain->hi);
@@ -113,17 +113,17 @@ std::string words_of(const Condition& condition, const ExplanationContext& conte
                        value_text(condition.pin->value, condition.domain->kind), condition.pin->source);
   }
   switch (condition.requirement) {
-    case Requirement::kAssert:
+    case ConstraintKind::kAssert:
       return quote(condition.span, context.sources);
-    case Requirement::kLowEnd:
-    case Requirement::kHighEnd:
-    case Requirement::kStep:
+    case ConstraintKind::kLowEnd:
+    case ConstraintKind::kHighEnd:
+    case ConstraintKind::kStep:
       return end_text(condition, choice);
-    case Requirement::kNotEmpty:
+    case ConstraintKind::kNotEmpty:
       return "there must be something to choose from";
-    case Requirement::kIndex:
+    case ConstraintKind::kIndex:
       return "the list must have such an element";
-    case Requirement::kDivisor:
+    case ConstraintKind::kDivisor:
       return "the divisor must not be zero";
   }
   return "";

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "scene/atomic_file.h"
-#include "smt/dimacs.h"
-#include "smt/z3_solver.h"
+#include "smt/sat/dimacs.h"
+#include "smt/z3/z3_solver.h"
 
 namespace solitaire {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engines/tracing.h"
+#include "engines/solve/tracing.h"
 
 namespace solitaire {
 

@@ -8,6 +8,7 @@
 #include "app/run_manifest.h"
 #include "app/search.h"
 #include "app/solution_json.h"
+#include "base/file_error.h"
 #include "scene/assets.h"
 #include "scene/atomic_file.h"
 #include "scene/gallery.h"

@@ -6,7 +6,7 @@
 #include "app/console.h"
 #include "app/report.h"
 #include "app/signals.h"
-#include "solitaire/large_stack.h"
+#include "base/large_stack.h"
 
 namespace solitaire {
 namespace {

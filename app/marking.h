@@ -1,6 +1,6 @@
 #pragma once
+#include "base/source.h"
 #include "engines/engine.h"
-#include "solitaire/source.h"
 
 namespace solitaire {
 

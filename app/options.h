@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engines/counting.h"
+#include "engines/count/counting.h"
 
 namespace CLI {
 class App;

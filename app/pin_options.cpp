@@ -7,7 +7,8 @@
 
 #include "app/console.h"
 #include "app/report.h"
-#include "solitaire/diagnostic.h"
+#include "base/diagnostic.h"
+#include "base/file_error.h"
 
 namespace solitaire {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/options.h"
+#include "base/file_error.h"
 
 namespace solitaire {
 

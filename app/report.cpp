@@ -4,7 +4,8 @@
 
 #include "app/console.h"
 #include "app/signals.h"
-#include "engines/uniform.h"
+#include "base/file_error.h"
+#include "engines/count/uniform.h"
 
 namespace solitaire {
 

@@ -7,8 +7,8 @@
 #include "app/formula.h"
 #include "app/report.h"
 #include "app/solution_json.h"
-#include "engines/series.h"
-#include "engines/uniform_series.h"
+#include "engines/count/uniform_series.h"
+#include "engines/solve/series.h"
 
 namespace solitaire {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/session.h"
 #include "app/watchdog.h"
 #include "engines/distance.h"
-#include "engines/solution_source.h"
+#include "engines/solve/solution_source.h"
 
 namespace solitaire {
 

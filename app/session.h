@@ -2,8 +2,9 @@
 #include <memory>
 
 #include "app/options.h"
-#include "engines/background_search.h"
-#include "solitaire/program.h"
+#include "base/file_error.h"
+#include "engines/solve/background_search.h"
+#include "solitaire/names/program.h"
 
 namespace solitaire {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "solitaire/evaluator.h"
+#include "solitaire/run/evaluator.h"
 
 namespace solitaire {
 

@@ -2,8 +2,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "base/source.h"
 #include "engines/engine.h"
-#include "solitaire/source.h"
 
 namespace solitaire {
 

@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/session.h"
-#include "smt/z3_solver.h"
+#include "smt/z3/z3_solver.h"
 #include "tracegraph/print.h"
 
 namespace solitaire {
@@ -14,7 +14,8 @@ std::vector<NodeId> formula(Graph& graph, const Trace& trace) {
     conditions.push_back(graph.implication(required.guard, required.condition));
   }
   for (const TraceBlocker& blocker : trace.blockers) conditions.push_back(graph.negation(blocker.guard));
-  for (const TraceMistake& mistake : trace.mistakes) conditions.push_back(graph.negation(mistake.guard));
+  for (const TraceProgramError& mistake : trace.program_errors)
+    conditions.push_back(graph.negation(mistake.guard));
   return conditions;
 }
 

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/programs.h"
-#include "engines/random.h"
+#include "engines/random_choices.h"
 
 namespace solitaire {
 namespace {

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "bench/programs.h"
-#include "engines/tracing.h"
+#include "engines/solve/tracing.h"
 #include "scene/assets.h"
 #include "scene/gltf.h"
 #include "scene/plan.h"

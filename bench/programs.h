@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "solitaire/evaluator.h"
-#include "solitaire/program.h"
+#include "solitaire/names/program.h"
+#include "solitaire/run/evaluator.h"
 
 namespace solitaire {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "bench/programs.h"
-#include "engines/tracing.h"
+#include "engines/solve/tracing.h"
 
 namespace solitaire {
 namespace {

@@ -13,9 +13,15 @@ if(SOLITAIRE_FUZZ)
   target_compile_options(solitaire_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# solitaire_library(NAME DEPENDENCY...): a library of all the .cpp files of the current folder.
+# solitaire_library(NAME DEPENDENCY...): a library of all the .cpp files of the current folder and those below it. A
+# folder below with a CMakeLists.txt of its own is a module that this library does not contain.
 function(solitaire_library name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
+  foreach(module ${modules})
+    get_filename_component(folder ${module} DIRECTORY)
+    list(FILTER sources EXCLUDE REGEX "^${folder}/")
+  endforeach()
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC solitaire_options ${ARGN})
 endfunction()

@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "base/hash.h"
 #include "engines/distinct.h"
-#include "tracegraph/hash.h"
 
 namespace solitaire {
 namespace {

@@ -3,7 +3,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "solitaire/execution.h"
+#include "solitaire/run/execution.h"
 
 namespace solitaire {
 

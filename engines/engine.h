@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "solitaire/evaluator.h"
+#include "solitaire/run/evaluator.h"
 
 namespace solitaire {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <tiny_gltf.h>
 
-#include "solitaire/execution.h"
+#include "solitaire/run/execution.h"
 
 namespace solitaire {
 

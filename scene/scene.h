@@ -6,7 +6,7 @@
 #include "scene/assets.h"
 #include "scene/color.h"
 #include "scene/geometry.h"
-#include "solitaire/execution.h"
+#include "solitaire/run/execution.h"
 
 namespace solitaire {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "solitaire/evaluator.h"
+#include "solitaire/run/evaluator.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {

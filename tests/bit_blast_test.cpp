@@ -1,6 +1,6 @@
 // What the laws of laws_test.cpp leave open about the path over circuits and clauses: gates that are needed
 // in one direction first and in the other later, and CaDiCaL between checks.
-#include "smt/bit_blast.h"
+#include "smt/sat/bit_blast.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 #include <set>
 #include <vector>
 
-#include "smt/cadical_solver.h"
-#include "smt/enumerator.h"
-#include "smt/z3_solver.h"
+#include "smt/sat/cadical_solver.h"
+#include "smt/sat/enumerator.h"
+#include "smt/z3/z3_solver.h"
 #include "tracegraph/assignment.h"
 #include "tracegraph/graph.h"
 

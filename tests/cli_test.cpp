@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "scene/gltf_reader.h"
-#include "smt/z3_api.h"
+#include "smt/z3/z3_api.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
 

@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "smt/conflict_analysis.h"
-#include "smt/conflict_queue.h"
-#include "smt/propagator.h"
+#include "smt/cdcl/conflict_analysis.h"
+#include "smt/cdcl/propagator.h"
+#include "smt/cdcl/vmtf_queue.h"
 #include "tests/random_clauses.h"
 
 namespace solitaire {
@@ -114,7 +114,7 @@ TEST_CASE("conflict analysis: learns clauses that follow, assign and decide whet
 
 TEST_CASE("conflict queue: the open variable that had a part in a conflict last") {
   std::mt19937_64 random(7);
-  ConflictQueue queue;
+  VmtfQueue queue;
   std::vector<int> list;  // the last first
   std::vector<bool> open(20, true);
   const auto is_open = [&](int variable) {

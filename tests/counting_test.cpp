@@ -1,5 +1,5 @@
 // Counting: exactly what brute force finds, and estimates within their tolerance of numbers that are known.
-#include "engines/counting.h"
+#include "engines/count/counting.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -37,7 +37,8 @@ TEST_CASE("counting: exactly the solutions that brute force finds") {
         const Program program = load(path);
         all = brute_force(program, {}, 3000);
         if (all) count = exact(program);
-      } catch (const ProgramError&) {  // as it should be: these have mistakes, or what no pass can express
+      } catch (
+          const ProgramError&) {  // as it should be: these have program_errors, or what no pass can express
         continue;
       }
       if (!all) continue;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engines/distinct.h"
-#include "engines/exhaustive.h"
-#include "engines/tracing.h"
+#include "engines/exhaustive/exhaustive.h"
+#include "engines/solve/tracing.h"
 
 namespace solitaire {
 namespace {

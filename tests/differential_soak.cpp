@@ -12,7 +12,7 @@
 #include <sstream>
 #include <vector>
 
-#include "solitaire/diagnostic.h"
+#include "base/diagnostic.h"
 #include "tests/differential.h"
 #include "tests/program_generator.h"
 

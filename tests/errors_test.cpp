@@ -15,6 +15,7 @@
 #include <optional>
 #include <sstream>
 
+#include "base/file_error.h"
 #include "tests/program_run.h"
 
 namespace solitaire {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <map>
 
-#include "engines/odometer.h"
+#include "engines/exhaustive/exhaustive_choices.h"
 
 namespace solitaire {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::int64_t kWidthForSolvers = 1'000;
 
 /// A condition, or what an execution broke, whatever table its address is from.
 struct Key {
-  Requirement requirement;
+  ConstraintKind requirement;
   std::uint32_t source, begin, end;
   std::string address, pin;
   friend auto operator<=>(const Key&, const Key&) = default;
@@ -40,9 +40,9 @@ Key key_of(const Rejection& rejection) {
 }
 
 bool is_end(const Condition& condition) {
-  return condition.pin == nullptr &&
-         (condition.requirement == Requirement::kLowEnd || condition.requirement == Requirement::kHighEnd ||
-          condition.requirement == Requirement::kStep);
+  return condition.pin == nullptr && (condition.requirement == ConstraintKind::kLowEnd ||
+                                      condition.requirement == ConstraintKind::kHighEnd ||
+                                      condition.requirement == ConstraintKind::kStep);
 }
 
 /// The choices that are free to lie outside of their ranges, by their addresses, and how far.
@@ -57,9 +57,9 @@ struct Freedom {
   }
 };
 
-class FreeOdometer : public Odometer {
+class FreeExhaustiveChoices : public ExhaustiveChoices {
  public:
-  FreeOdometer(const Freedom& freedom, const AddressTable& addresses)
+  FreeExhaustiveChoices(const Freedom& freedom, const AddressTable& addresses)
       : freedom_(freedom), addresses_(addresses) {}
   ChoiceDomain widened(AddressId address, const ChoiceDomain& domain) override {
     return freedom_.widen(addresses_.text(address), domain);
@@ -94,7 +94,7 @@ class BruteForce {
 
   /// Hands on each execution and what it broke; false if there are too many, or some come to mistakes.
   bool each(const Freedom& freedom, const See& see) {
-    FreeOdometer odometer(freedom, addresses_);
+    FreeExhaustiveChoices odometer(freedom, addresses_);
     for (std::uint64_t executions = 0; odometer.advance(); ++executions) {
       if (executions == run_.most_executions) return false;
       try {
@@ -241,7 +241,7 @@ std::map<Span, Spans, Before> asserts_of(const RunOfProgram& run) {
   ConditionSolver solver(run.program, run.params, options, choices, addresses, pins);
   std::map<Span, Spans, Before> asserts;
   for (const TracedCondition& each : solver.all()) {
-    if (each.condition.requirement == Requirement::kAssert)
+    if (each.condition.requirement == ConstraintKind::kAssert)
       asserts[each.condition.whole].insert(each.condition.span);
   }
   return asserts;
@@ -262,7 +262,7 @@ class DeadCheck {
       if (is_dead(first)) continue;
       const auto alive = [&](Span span, Span Rejection::*part) {
         if (others == count(execution, [&](const Rejection& each) {
-              return !is_dead(each) && each.requirement == Requirement::kAssert && each.*part == span;
+              return !is_dead(each) && each.requirement == ConstraintKind::kAssert && each.*part == span;
             }))
           alive_.insert(span);
       };
@@ -286,7 +286,7 @@ class DeadCheck {
 
  private:
   bool is_dead(const Rejection& each) const {
-    return each.requirement == Requirement::kAssert &&
+    return each.requirement == ConstraintKind::kAssert &&
            (dead_.count(each.span) != 0 || dead_.count(each.whole) != 0);
   }
 

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "engines/dead_asserts.h"
-#include "engines/explain.h"
-#include "engines/reachable_values.h"
+#include "engines/explain/dead_asserts.h"
+#include "engines/explain/explain.h"
+#include "engines/explain/reachable_values.h"
 
 namespace solitaire {
 

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "engines/tracing.h"
+#include "engines/solve/tracing.h"
 #include "tests/explain_check.h"
 #include "tests/program_generator.h"
 
@@ -31,7 +31,7 @@ struct Sample {
       } else if (engine.ending() == Ending::kExhausted) {
         add_conflicts(run, options);
       }
-    } catch (const ProgramError&) {  // that mistakes are found is for other tests
+    } catch (const ProgramError&) {  // that program_errors are found is for other tests
     }
   }
 

@@ -11,8 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "smt/cadical_solver.h"
-#include "smt/z3_solver.h"
+#include "smt/sat/cadical_solver.h"
+#include "smt/z3/z3_solver.h"
 #include "tracegraph/assignment.h"
 #include "tracegraph/graph.h"
 

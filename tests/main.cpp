@@ -1,7 +1,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
-#include "solitaire/large_stack.h"
+#include "base/large_stack.h"
 
 // Tests of deep recursion need the stack that the program itself runs on.
 int main(int argc, char** argv) {

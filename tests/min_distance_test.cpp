@@ -1,10 +1,10 @@
 // Solutions that keep a distance from each other: all of them do, and there is no further one that does.
-#include "engines/min_distance.h"
+#include "engines/solve/min_distance.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
 
-#include "engines/series.h"
+#include "engines/solve/series.h"
 #include "tests/command.h"
 #include "tests/program_generator.h"
 #include "tests/program_run.h"
@@ -93,7 +93,7 @@ TEST_CASE("min distance: of generated programs") {
     const std::string text = generate_program(bytes);
     try {
       if (check_all(text, 0.5) && check_all(text, 0.3, little)) ++checked;
-    } catch (const ProgramError&) {  // mistakes are another test's business
+    } catch (const ProgramError&) {  // program_errors are another test's business
     }
   }
   CHECK(checked >= 20);

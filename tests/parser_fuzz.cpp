@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "solitaire/program.h"
+#include "solitaire/names/program.h"
 #include "tests/tree_check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

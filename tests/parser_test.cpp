@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <random>
 
-#include "solitaire/program.h"
+#include "solitaire/names/program.h"
 #include "tests/tree_check.h"
 
 namespace solitaire {

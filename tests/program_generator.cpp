@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tracegraph/hash.h"
+#include "base/hash.h"
 
 namespace solitaire {
 

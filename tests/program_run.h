@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engines/exhaustive.h"
-#include "engines/tracing.h"
+#include "engines/exhaustive/exhaustive.h"
+#include "engines/solve/tracing.h"
 
 namespace solitaire {
 

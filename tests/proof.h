@@ -1,5 +1,5 @@
 #pragma once
-#include "engines/tracing.h"
+#include "engines/solve/tracing.h"
 
 namespace solitaire {
 

@@ -1,5 +1,5 @@
 // Unit propagation against its definition: what follows from the clauses one by one until nothing does.
-#include "smt/propagator.h"
+#include "smt/cdcl/propagator.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -61,7 +61,7 @@ std::vector<int> random_chain(std::mt19937_64& random, int first, std::size_t si
 
 }  // namespace
 
-TEST_CASE("propagator: what follows from ladders is what follows from their clauses") {
+TEST_CASE("propagator: what follows from order_implications is what follows from their clauses") {
   std::size_t conflicts = 0, consequences = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     CAPTURE(seed);
@@ -76,17 +76,18 @@ TEST_CASE("propagator: what follows from ladders is what follows from their clau
     for (const Clause& clause : clauses) propagator.clause(clause);
     for (std::size_t i = 2 + random() % 5; i > 0; --i) {
       const std::size_t lower = random() % 2;
-      Ladder ladder{&chains[lower], &chains[1 - lower]};
-      ladder.guard = (8 + static_cast<int>(random() % 5)) * (random() % 2 == 0 ? 1 : -1);
-      ladder.first = static_cast<std::uint32_t>(random() % ladder.lower->size());
-      ladder.base = static_cast<std::uint32_t>(random() % ladder.upper->size());
-      const std::size_t most =
-          std::min(ladder.lower->size() - ladder.first, ladder.upper->size() - ladder.base);
-      ladder.count = 1 + static_cast<std::uint32_t>(random() % most);
-      propagator.ladder(ladder);
-      for (std::uint32_t at = 0; at < ladder.count; ++at)
-        clauses.push_back(
-            {-ladder.guard, -(*ladder.lower)[ladder.first + at], (*ladder.upper)[ladder.base + at]});
+      OrderImplication order_implication{&chains[lower], &chains[1 - lower]};
+      order_implication.guard = (8 + static_cast<int>(random() % 5)) * (random() % 2 == 0 ? 1 : -1);
+      order_implication.first = static_cast<std::uint32_t>(random() % order_implication.lower->size());
+      order_implication.base = static_cast<std::uint32_t>(random() % order_implication.upper->size());
+      const std::size_t most = std::min(order_implication.lower->size() - order_implication.first,
+                                        order_implication.upper->size() - order_implication.base);
+      order_implication.count = 1 + static_cast<std::uint32_t>(random() % most);
+      propagator.order_implication(order_implication);
+      for (std::uint32_t at = 0; at < order_implication.count; ++at)
+        clauses.push_back({-order_implication.guard,
+                           -(*order_implication.lower)[order_implication.first + at],
+                           (*order_implication.upper)[order_implication.base + at]});
     }
     std::vector<int> decisions;
     for (int step = 0; step < 60; ++step) {

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "smt/propagator.h"
+#include "smt/cdcl/propagator.h"
 
 namespace solitaire {
 

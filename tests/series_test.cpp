@@ -1,5 +1,5 @@
 // A series of solutions that was interrupted goes on as if it had not been.
-#include "engines/series.h"
+#include "engines/solve/series.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

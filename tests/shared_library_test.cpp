@@ -1,4 +1,4 @@
-#include "smt/shared_library.h"
+#include "smt/z3/shared_library.h"
 
 #include <doctest/doctest.h>
 #include <stdexcept>

@@ -1,11 +1,11 @@
 // Breaking symmetries leaves at least one solution of each look, and fewer in all.
-#include "engines/symmetry.h"
+#include "engines/solve/symmetry.h"
 
 #include <doctest/doctest.h>
 #include <set>
 
-#include "engines/exhaustive.h"
-#include "engines/series.h"
+#include "engines/exhaustive/exhaustive.h"
+#include "engines/solve/series.h"
 #include "tests/program_run.h"
 
 namespace solitaire {

@@ -2,8 +2,8 @@
 // ones where they do not.
 #include <doctest/doctest.h>
 
-#include "engines/all_different.h"
-#include "smt/encode.h"
+#include "engines/thesis/all_different.h"
+#include "smt/z3/encode.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
 

@@ -1,12 +1,12 @@
 // What is read off a trace is what the program does. The differential tests compare the same for generated
 // programs.
-#include "solitaire/trace_reading.h"
+#include "solitaire/run/trace_reading.h"
 
 #include <doctest/doctest.h>
 #include <map>
 
 #include "engines/distinct.h"
-#include "engines/exhaustive.h"
+#include "engines/exhaustive/exhaustive.h"
 #include "tests/program_run.h"
 
 namespace solitaire {

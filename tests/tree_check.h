@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "solitaire/diagnostic.h"
-#include "solitaire/parser.h"
+#include "base/diagnostic.h"
+#include "solitaire/syntax/parser.h"
 
 namespace solitaire {
 

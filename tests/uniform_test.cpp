@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engines/uniform_series.h"
+#include "engines/count/uniform_series.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "tracegraph/hash.h"
+#include "base/hash.h"
 
 namespace solitaire {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tracegraph/hash.h"
+#include "base/hash.h"
 
 namespace solitaire {
 

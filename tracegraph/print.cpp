@@ -20,7 +20,7 @@ std::vector<NodeId> nodes_of(const Graph& graph, const Trace& trace) {
   for (const auto& required : trace.asserts) need(required.guard), need(required.condition);
   for (const auto& wish : trace.wishes) need(wish.guard), need(wish.cost);
   for (const auto& blocker : trace.blockers) need(blocker.guard);
-  for (const auto& mistake : trace.mistakes) need(mistake.guard);
+  for (const auto& mistake : trace.program_errors) need(mistake.guard);
   for (const auto& placed : trace.placed) {
     need(placed.guard);
     for (const NodeId node : placed.depends) need(node);
@@ -51,21 +51,21 @@ std::string constant_text(const Graph& graph, NodeId id) {
   return "";
 }
 
-const char* requirement_text(Requirement requirement) {
+const char* requirement_text(ConstraintKind requirement) {
   switch (requirement) {
-    case Requirement::kAssert:
+    case ConstraintKind::kAssert:
       return "assert";
-    case Requirement::kLowEnd:
+    case ConstraintKind::kLowEnd:
       return "not below its range";
-    case Requirement::kHighEnd:
+    case ConstraintKind::kHighEnd:
       return "not above its range";
-    case Requirement::kStep:
+    case ConstraintKind::kStep:
       return "on a step of its range";
-    case Requirement::kNotEmpty:
+    case ConstraintKind::kNotEmpty:
       return "something to choose from";
-    case Requirement::kIndex:
+    case ConstraintKind::kIndex:
       return "an element at the index";
-    case Requirement::kDivisor:
+    case ConstraintKind::kDivisor:
       return "a divisor other than zero";
   }
   return "";
@@ -91,13 +91,13 @@ class TextPrinter {
     for (const auto& required : trace.asserts) {
       line(fmt::format("{}assert({});", condition(required.guard), name(required.condition)),
            fmt::format("{}{}", addresses_.text(required.address),
-                       required.requirement == Requirement::kAssert
+                       required.requirement == ConstraintKind::kAssert
                            ? (required.message.empty() ? "" : ": " + required.message)
                            : fmt::format(": {}", requirement_text(required.requirement))));
     }
     for (const auto& wish : trace.wishes)
       line(fmt::format("{}cost({});", condition(wish.guard), name(wish.cost)), addresses_.text(wish.address));
-    for (const auto& mistake : trace.mistakes)
+    for (const auto& mistake : trace.program_errors)
       line(fmt::format("{}error;", condition(mistake.guard)), mistake.message);
     for (const auto& blocker : trace.blockers) {
       const char* side = blocker.side.kind == BranchSide::Kind::kThen   ? "then side"
@@ -206,7 +206,7 @@ std::string trace_dot(const Graph& graph, const AddressTable& addresses, const T
     effect("cost\n" + addresses.text(wish.address), wish.guard, wish.cost, "plum");
   for (const auto& blocker : trace.blockers)
     effect("not explored\n" + addresses.text(blocker.side.branch), blocker.guard, kTrue, "lightgray");
-  for (const auto& mistake : trace.mistakes)
+  for (const auto& mistake : trace.program_errors)
     effect("error: " + mistake.message, mistake.guard, kTrue, "salmon");
   for (const auto& placed : trace.placed)
     effect("place\n" + addresses.text(placed.address), placed.guard, kTrue, "wheat");

@@ -70,7 +70,7 @@ Trace TraceRecorder::finish(Graph& graph) {
     append_guarded(whole.wishes, part.wishes, entry[id], graph);
     append_guarded(whole.placed, part.placed, entry[id], graph);
     append_guarded(whole.blockers, part.blockers, entry[id], graph);
-    append_guarded(whole.mistakes, part.mistakes, entry[id], graph);
+    append_guarded(whole.program_errors, part.program_errors, entry[id], graph);
   }
   return whole;
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/span.h"
 #include "tracegraph/graph.h"
-#include "tracegraph/span.h"
 
 namespace solitaire {
 
@@ -18,7 +18,7 @@ struct TraceChoice {
 };
 
 /// Why an execution is ruled out.
-enum class Requirement : std::uint8_t {
+enum class ConstraintKind : std::uint8_t {
   kAssert,    // an assert of the program
   kLowEnd,    // a choice is not below its range
   kHighEnd,   // a choice is not above its range
@@ -32,7 +32,7 @@ enum class Requirement : std::uint8_t {
 struct TraceAssert {
   NodeId guard;
   NodeId condition;
-  Requirement requirement;
+  ConstraintKind requirement;
   AddressId address;
   Span span;            // of the condition; where asserts are taken apart, of a conjunct of it
   Span whole;           // of the whole condition
@@ -40,7 +40,7 @@ struct TraceAssert {
 };
 
 /// What a solution should rather cost little of: prefer, minimize and maximize.
-struct TraceWish {
+struct SoftConstraint {
   NodeId guard;
   NodeId cost;  // an int
   AddressId address;
@@ -74,7 +74,7 @@ struct TraceBlocker {
 
 /// What a concrete execution would report as an error of the program, or, where it would not, what the pass
 /// could not express.
-struct TraceMistake {
+struct TraceProgramError {
   NodeId guard;
   AddressId address;
   Span span;
@@ -87,10 +87,10 @@ struct TraceMistake {
 struct Trace {
   std::vector<TraceChoice> choices;
   std::vector<TraceAssert> asserts;
-  std::vector<TraceWish> wishes;
+  std::vector<SoftConstraint> wishes;
   std::vector<TracePlaced> placed;
   std::vector<TraceBlocker> blockers;
-  std::vector<TraceMistake> mistakes;
+  std::vector<TraceProgramError> program_errors;
   std::vector<NodeId> returned;  // on which the program's value depends
 };
 
@@ -113,10 +113,10 @@ class TraceRecorder {
 
   void add(TraceChoice choice) { current().choices.push_back(std::move(choice)); }
   void add(TraceAssert condition) { current().asserts.push_back(std::move(condition)); }
-  void add(TraceWish wish) { current().wishes.push_back(wish); }
+  void add(SoftConstraint wish) { current().wishes.push_back(wish); }
   void add(TracePlaced placed) { current().placed.push_back(std::move(placed)); }
   void add(TraceBlocker blocker) { current().blockers.push_back(std::move(blocker)); }
-  void add(TraceMistake mistake) { current().mistakes.push_back(std::move(mistake)); }
+  void add(TraceProgramError mistake) { current().program_errors.push_back(std::move(mistake)); }
 
   Trace finish(Graph& graph);
 

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+
+#include "base/hash.h"
+
+namespace solitaire {
+
+/// What a stream of random numbers is for. Streams of different purposes never meet.
+enum class Purpose : std::uint64_t {
+  kExplore = 1,
+  kSolver = 2,
+  kSuggest = 3,
+  kCells = 4,
+  kSample = 5,
+  kCount = 6
+};
+
+/// A counter-based stream keyed by (seed, purpose, index): its numbers depend on nothing else, on any
+/// machine.
+class RandomStream {
+ public:
+  RandomStream(std::uint64_t seed, Purpose purpose, std::uint64_t index)
+      : key_(mix(mix(seed, static_cast<std::uint64_t>(purpose)), index)) {}
+
+  std::uint64_t next() { return mix(key_, counter_++); }
+  /// Uniform over 0 .. bound - 1; bound is not 0.
+  std::uint64_t below(std::uint64_t bound) {
+    const std::uint64_t unfair = (UINT64_MAX - bound + 1) % bound;  // 2^64 mod bound numbers too many
+    std::uint64_t number = next();
+    while (number < unfair) number = next();
+    return number % bound;
+  }
+
+ private:
+  std::uint64_t key_;
+  std::uint64_t counter_ = 0;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,76 @@
+#include "base/source.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+
+#include "base/file_error.h"
+
+namespace solitaire {
+namespace {
+
+/// Spans are 32 bits; no script that a person or a tool writes comes near this.
+constexpr std::size_t kLargestSource = std::size_t{64} << 20;
+
+}  // namespace
+
+Source::Source(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)), line_starts_{0} {
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    if (text_[i] == '\n') line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
+  }
+}
+
+Position Source::position(std::uint32_t offset) const {
+  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  const std::uint32_t start = *(after - 1);
+  const std::string_view before = text().substr(start, offset - start);
+  return {static_cast<std::size_t>(after - line_starts_.begin()), 1 + count_characters(before)};
+}
+
+std::string_view Source::line(std::size_t number) const {
+  const std::size_t start = line_starts_[number - 1];
+  std::size_t end = number < line_starts_.size() ? line_starts_[number] - 1 : text_.size();
+  if (end > start && text_[end - 1] == '\r') --end;
+  return text().substr(start, end - start);
+}
+
+std::uint32_t SourceSet::add(std::string name, std::string text) {
+  sources_.emplace_back(std::move(name), std::move(text));
+  return static_cast<std::uint32_t>(sources_.size() - 1);
+}
+
+std::string_view SourceSet::text(Span span) const {
+  return sources_[span.source].text().substr(span.begin, span.end - span.begin);
+}
+
+std::string SourceSet::place(Span span) const {
+  const Source& source = sources_[span.source];
+  const Position at = source.position(span.begin);
+  return fmt::format("{}:{}:{}", source.name(), at.line, at.column);
+}
+
+std::string read_source(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) throw FileError(path.string(), "is a folder, not a script");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(path.string(), std::strerror(errno));
+  std::string text;
+  std::array<char, 4096> block;
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLargestSource)
+      throw FileError(path.string(), "is larger than a script can be (64 MiB)");
+  }
+  if (file.bad()) throw FileError(path.string(), std::strerror(errno));
+  return text;
+}
+
+std::size_t count_characters(std::string_view utf8) {
+  const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), starts_character));
+}
+
+}  // namespace solitaire

@@ -1,0 +1,57 @@
+#pragma once
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/file_error.h"
+#include "base/span.h"
+
+namespace solitaire {
+
+/// A position as editors show it: both counted from 1, columns in characters rather than bytes.
+struct Position {
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
+
+/// One text of a program: the script itself or a file it imports.
+class Source {
+ public:
+  Source(std::string name, std::string text);
+
+  const std::string& name() const { return name_; }
+  std::string_view text() const { return text_; }
+  Position position(std::uint32_t offset) const;
+  /// The line's text without its end; lines count from 1.
+  std::string_view line(std::size_t number) const;
+
+ private:
+  std::string name_;
+  std::string text_;
+  std::vector<std::uint32_t> line_starts_;
+};
+
+/// All sources of a program; spans refer to them by number.
+class SourceSet {
+ public:
+  std::uint32_t add(std::string name, std::string text);
+  const Source& operator[](std::uint32_t number) const { return sources_[number]; }
+  std::size_t size() const { return sources_.size(); }
+
+  std::string_view text(Span span) const;
+  /// "file.sol:12:3"
+  std::string place(Span span) const;
+
+ private:
+  std::deque<Source> sources_;  // a deque, so that views of the texts stay valid
+};
+
+/// Reads a whole file. Throws FileError if it cannot be read or is larger than a script can be.
+std::string read_source(const std::filesystem::path& path);
+
+/// How many characters of UTF-8 text, and not bytes, there are; broken bytes count as one each.
+std::size_t count_characters(std::string_view utf8);
+
+}  // namespace solitaire

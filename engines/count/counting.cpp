@@ -1,0 +1,105 @@
+#include "engines/count/counting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace solitaire {
+namespace {
+
+/// What is listed anyway: an estimate needs that there are more than a few.
+constexpr std::uint64_t kFew = 64;
+
+std::uint64_t most_listed(const CountOptions& options) {
+  switch (options.way) {
+    case CountOptions::Way::kExactIfSmall:
+      return std::max(kFew, options.most_listed);
+    case CountOptions::Way::kExact:
+      return UINT64_MAX - 1;
+    case CountOptions::Way::kApproximate:
+      break;
+  }
+  return kFew;
+}
+
+}  // namespace
+
+std::string SolutionCount::digits() const {
+  constexpr std::uint64_t kBase = 1'000'000'000;
+  std::vector<std::uint64_t> number{1};  // digits of that base, the lowest first
+  for (const std::uint64_t factor : factors) {
+    // Long multiplication by the digits of the factor.
+    const std::vector<std::uint64_t> by{factor % kBase, factor / kBase % kBase, factor / kBase / kBase};
+    std::vector<std::uint64_t> product(number.size() + by.size());
+    for (std::size_t i = 0; i < number.size(); ++i) {
+      std::uint64_t carry = 0;
+      for (std::size_t j = 0; j < by.size(); ++j) {
+        carry += product[i + j] + number[i] * by[j];
+        product[i + j] = carry % kBase;
+        carry /= kBase;
+      }
+      product[i + by.size()] += carry;
+    }
+    while (product.size() > 1 && product.back() == 0) product.pop_back();
+    number = std::move(product);
+  }
+  std::string text = fmt::to_string(number.back());
+  for (std::size_t i = number.size() - 1; i-- > 0;) text += fmt::format("{:09}", number[i]);
+  return text;
+}
+
+double SolutionCount::log10() const {
+  double sum = estimate ? estimate->log10() : 0;
+  for (const std::uint64_t factor : factors) sum += std::log10(static_cast<double>(factor));
+  return sum;
+}
+
+SolutionCounter::SolutionCounter(const Program& program, ParamValues params, const TracingOptions& options,
+                                 const CountOptions& count)
+    : seed_(options.seed),
+      stop_(options.limits.stop),
+      count_(count),
+      engine_(program, std::move(params), options) {}
+
+std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const std::string&)>& progress) {
+  progress("exploring");
+  if (!engine_.explore_fully()) return std::nullopt;
+  space_.emplace(engine_);
+  std::vector<SpacePart>& parts = space_->parts();
+  found_ = std::vector<std::atomic<std::uint64_t>>(parts.size());
+  explored_ = true;
+  const std::uint64_t most = most_listed(count_);
+  SolutionCount count;
+  std::vector<std::size_t> large;
+  for (std::size_t i = 0; i < parts.size(); ++i) {  // one of each first: that no part has none is soon known
+    if (const auto values = parts[i].free_values()) {
+      found_[i] = *values;
+    } else if (parts[i].find({}, 1, stop_).empty()) {
+      return SolutionCount{{0}, {}};
+    } else {
+      found_[i] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    progress(fmt::format("listing part {} of {}", i + 1, parts.size()));
+    if (!parts[i].free_values() && parts[i].find({}, most + 1, stop_, &found_[i]).size() > most) {
+      large.push_back(i);
+    } else {
+      count.factors.push_back(found_[i]);
+    }
+  }
+  if (large.empty()) return count;
+  progress("estimating: how many cells");
+  space_->join(large);
+  count.estimate =
+      estimate_models(space_->parts().back(), count_.accuracy, RandomStream(seed_, Purpose::kCount, 0), stop_,
+                      [&](double done) { progress(fmt::format("estimating: {:.0f} %", 100 * done)); });
+  return count;
+}
+
+SolutionCount SolutionCounter::at_least() const {
+  if (!explored_) return {{0}, {}};
+  return {{found_.begin(), found_.end()}, {}};
+}
+
+}  // namespace solitaire

@@ -1,0 +1,35 @@
+#pragma once
+#include <functional>
+
+#include "engines/count/xor_sampler.h"
+
+namespace solitaire {
+
+/// How far an estimated number may be off, and how surely: with at least that probability, over seeds, it is
+/// neither more than 1 + tolerance times what it should be, nor less than that divided by 1 + tolerance.
+struct Accuracy {
+  double tolerance = 0.8;   // more than 0
+  double confidence = 0.9;  // between 0 and 1
+};
+
+/// A number of models: models / cells * 2^parities.
+struct Estimate {
+  double models = 0;
+  double cells = 1;
+  std::uint32_t parities = 0;
+
+  double log10() const;
+};
+
+/// Estimates how many models a part has, more than a few: counts random cells, as ApproxMC does (Chakraborty,
+/// Meel and Vardi, "A Scalable Approximate Model Counter", 2013, and "Algorithmic Improvements in Approximate
+/// Counting for Probabilistic Inference", 2016).
+///
+/// Unlike there, the number of parities is settled first, and then cells of that many are counted until they
+/// have enough models in all. The mean and variance of such a sum are known, so that Cantelli's inequality
+/// bounds its error, with far fewer cells than a median of counts needs. `progress`, if any, is told which
+/// part of the second step is done. Throws Interrupted.
+Estimate estimate_models(SpacePart& part, const Accuracy& accuracy, RandomStream random,
+                         const StopSignal& stop, const std::function<void(double)>& progress = nullptr);
+
+}  // namespace solitaire

@@ -1,0 +1,155 @@
+#include "engines/count/solution_space.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "tracegraph/cone.h"
+
+namespace solitaire {
+namespace {
+
+/// Sets of numbers that are merged (Galler and Fischer 1964).
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), 0); }
+
+  std::size_t find(std::size_t member) {
+    while (parents_[member] != member) member = parents_[member] = parents_[parents_[member]];
+    return member;
+  }
+  void merge(std::size_t a, std::size_t b) { parents_[find(a)] = find(b); }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+/// Nodes are in one set if a condition depends on both.
+DisjointSets tied_nodes(const Graph& graph, const std::vector<NodeId>& conditions) {
+  DisjointSets sets(graph.size());
+  std::vector<NodeId> pending = conditions;
+  std::vector<bool> seen(graph.size(), false);
+  while (!pending.empty()) {
+    const NodeId node = pending.back();
+    pending.pop_back();
+    if (seen[node.index]) continue;
+    seen[node.index] = true;
+    for (const NodeId operand : graph.node(node).args()) {
+      if (graph.node(operand).is_constant()) continue;
+      sets.merge(node.index, operand.index);
+      pending.push_back(operand);
+    }
+  }
+  return sets;
+}
+
+}  // namespace
+
+struct SpacePart::Compiled {
+  Circuit circuit;
+  ProjectedModels models;
+  Cnf cnf{circuit, models};
+  BitBlaster blaster;
+
+  explicit Compiled(const Graph& graph) : blaster(graph, circuit, cnf) {}
+};
+
+SpacePart::SpacePart(const Graph& graph, std::vector<std::size_t> variables, std::vector<NodeId> conditions)
+    : graph_(&graph), variables_(std::move(variables)), conditions_(std::move(conditions)) {}
+
+std::optional<std::uint64_t> SpacePart::free_values() const {
+  if (variables_.size() != 1 || !conditions_.empty()) return std::nullopt;
+  const ChoiceDomain& domain = graph_->variables()[variables_.front()].domain;
+  return static_cast<std::uint64_t>(domain.hi - domain.lo) / static_cast<std::uint64_t>(domain.step) + 1;
+}
+
+std::int64_t SpacePart::free_value(std::uint64_t number) const {
+  const ChoiceDomain& domain = graph_->variables()[variables_.front()].domain;
+  return domain.lo + static_cast<std::int64_t>(number) * domain.step;
+}
+
+const ProjectedModels& SpacePart::models() {
+  if (compiled_) return compiled_->models;
+  const auto compiled = std::make_shared<Compiled>(*graph_);
+  for (const NodeId condition : conditions_) {
+    std::vector<Literal> literals;
+    compiled->blaster.add_alternatives(condition, literals);
+    compiled->cnf.add_clause(literals);
+  }
+  std::vector<int> projection;
+  for (const std::size_t variable : variables_) {
+    compiled->blaster.add_choice(variable);
+    for (const Literal bit : compiled->blaster.choice_bits(variable)) {
+      if (!is_constant(bit)) projection.push_back(compiled->cnf.equivalent(bit));
+    }
+  }
+  compiled->models.project_on(std::move(projection));
+  compiled_ = compiled;
+  return compiled_->models;
+}
+
+void SpacePart::decode(const BitModel& model, VariableValues& values) const {
+  std::size_t position = 0;
+  for (const std::size_t variable : variables_) {
+    const Bits bits = compiled_->blaster.choice_bits(variable);
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      const bool holds = is_constant(bits[i]) ? bits[i] == kTrueLiteral : model[position++];
+      if (holds) number |= std::uint64_t{1} << i;
+    }
+    values[variable] = compiled_->blaster.decode(variable, number);
+  }
+}
+
+SolutionSpace::SolutionSpace(TracingEngine& engine) : graph_(engine.graph()), addresses_(engine.addresses()) {
+  std::vector<NodeId> conditions = engine.formula();
+  met_ = met_choices(engine.graph(), engine.pass().trace);
+  const std::vector<NodeId> fixed = fixed_unmet_choices(engine.graph(), met_);
+  conditions.insert(conditions.end(), fixed.begin(), fixed.end());
+  conditions = conjuncts(graph_, std::move(conditions));
+  DisjointSets sets = tied_nodes(graph_, conditions);
+  std::map<std::size_t, std::pair<std::vector<std::size_t>, std::vector<NodeId>>> parts;
+  for (const auto& [variable, met] : met_)
+    parts[sets.find(graph_.variable_node(variable).index)].first.push_back(variable);
+  for (const NodeId condition : conditions) parts[sets.find(condition.index)].second.push_back(condition);
+  for (auto& [set, part] : parts) parts_.emplace_back(graph_, std::move(part.first), std::move(part.second));
+}
+
+void SolutionSpace::join(const std::vector<std::size_t>& numbers) {
+  std::vector<std::size_t> variables;
+  std::vector<NodeId> conditions;
+  std::vector<SpacePart> others;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const SpacePart& part = parts_[i];
+    if (std::find(numbers.begin(), numbers.end(), i) == numbers.end()) {
+      others.push_back(part);
+      continue;
+    }
+    variables.insert(variables.end(), part.variables().begin(), part.variables().end());
+    conditions.insert(conditions.end(), part.conditions().begin(), part.conditions().end());
+  }
+  parts_ = std::move(others);
+  parts_.emplace_back(graph_, std::move(variables), std::move(conditions));
+}
+
+VariableValues SolutionSpace::lowest() const {
+  VariableValues values;
+  for (const ChoiceVariable& variable : graph_.variables()) values.push_back(variable.domain.lo);
+  return values;
+}
+
+VariableValues SolutionSpace::values_of(const KnownChoices& choices) const {
+  std::unordered_map<std::string, std::int64_t> known;
+  for (const AnsweredChoice& choice : choices) known.emplace(choice.address, choice.value);
+  Assignment assignment(graph_, [&](std::size_t number) {
+    const ChoiceVariable& variable = graph_.variables()[number];
+    const auto value = known.find(addresses_.text(variable.address));
+    return value == known.end() ? variable.domain.lo : value->second;
+  });
+  VariableValues values = lowest();
+  for (const auto& [variable, met] : met_) {
+    if (assignment.holds(met)) values[variable] = assignment.value(graph_.variable_node(variable))->i;
+  }
+  return values;
+}
+
+}  // namespace solitaire

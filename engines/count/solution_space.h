@@ -1,0 +1,74 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "engines/solve/met_choices.h"
+#include "engines/solve/tracing.h"
+#include "smt/sat/bit_blast.h"
+#include "smt/sat/projected_models.h"
+
+namespace solitaire {
+
+/// The value of each choice variable of a graph, by its number.
+using VariableValues = std::vector<std::int64_t>;
+
+/// Choices of a program that no condition ties to its other choices. What they can be together does not
+/// depend on the others, so that the solutions of a program are all combinations of what its parts can be.
+class SpacePart {
+ public:
+  /// The conditions depend on these variables and no others.
+  SpacePart(const Graph& graph, std::vector<std::size_t> variables, std::vector<NodeId> conditions);
+
+  const std::vector<std::size_t>& variables() const { return variables_; }
+  const std::vector<NodeId>& conditions() const { return conditions_; }
+
+  /// How many values a single choice without conditions can have; nothing if the part is no such choice.
+  std::optional<std::uint64_t> free_values() const;
+  /// The value of that choice with this number, from 0.
+  std::int64_t free_value(std::uint64_t number) const;
+
+  /// What models are made of.
+  std::size_t bits() { return models().bits(); }
+  /// What the choices can be, as ProjectedModels::find. Throws Interrupted.
+  std::vector<BitModel> find(std::span<const XorConstraint> parities, std::size_t most,
+                             const StopSignal& stop, std::atomic<std::uint64_t>* found = nullptr) {
+    return models().find(parities, most, stop, found);
+  }
+  /// The values of the choices that a model stands for.
+  void decode(const BitModel& model, VariableValues& values) const;
+
+ private:
+  struct Compiled;
+  const ProjectedModels& models();
+
+  const Graph* graph_;
+  std::vector<std::size_t> variables_;
+  std::vector<NodeId> conditions_;
+  std::shared_ptr<Compiled> compiled_;  // once it is needed
+};
+
+/// All solutions of a program as values of the choices' variables: each solution is exactly one of them. A
+/// choice that a solution does not meet has its lowest value, or else a path with fewer choices would count
+/// more often.
+class SolutionSpace {
+ public:
+  /// Of the newest pass of an engine that explored every path an execution can take, and that excludes no
+  /// solution.
+  explicit SolutionSpace(TracingEngine& engine);
+
+  std::vector<SpacePart>& parts() { return parts_; }
+  /// The parts with these numbers become one, the last.
+  void join(const std::vector<std::size_t>& numbers);
+  /// The lowest value of each choice.
+  VariableValues lowest() const;
+  /// The values that stand for the solution with these choices.
+  VariableValues values_of(const KnownChoices& choices) const;
+
+ private:
+  const Graph& graph_;
+  const AddressTable& addresses_;
+  MetChoices met_;  // by variable: where an execution meets a choice that it stands for
+  std::vector<SpacePart> parts_;
+};
+
+}  // namespace solitaire

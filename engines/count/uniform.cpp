@@ -1,0 +1,132 @@
+#include "engines/count/uniform.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solitaire {
+namespace {
+
+/// Where it is small, a number of draws in vain is no reason for anything.
+constexpr double kFewDraws = 1000;
+
+std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+  return b != 0 && a > UINT64_MAX / b ? UINT64_MAX : a * b;
+}
+
+}  // namespace
+
+UniformEngine::UniformEngine(const Program& program, ParamValues params, const TracingOptions& options,
+                             const UniformOptions& uniform)
+    : seed_(options.seed),
+      stop_(options.limits.stop),
+      uniform_(uniform),
+      engine_(program, std::move(params), options) {}
+
+void UniformEngine::explore() {
+  if (space_ || ending_ != Ending::kNone) return;
+  if (!engine_.explore_fully()) {
+    ending_ = Ending::kUnexplored;
+    return;
+  }
+  if (!engine_.pass().trace.wishes.empty()) {
+    throw UnequalSolutions(
+        "a program that prefers some of its solutions cannot be sampled uniformly: it has prefer, minimize "
+        "or "
+        "maximize");
+  }
+  space_.emplace(engine_);
+}
+
+/// Lists what is not much, and has the rest drawn from cells.
+void UniformEngine::prepare() {
+  explore();
+  if (prepared_ || ending_ != Ending::kNone) return;
+  std::vector<std::size_t> large;
+  std::vector<std::vector<BitModel>> listed;
+  total_ = 1;
+  for (std::size_t i = 0; i < space_->parts().size(); ++i) {
+    SpacePart& part = space_->parts()[i];
+    if (const auto values = part.free_values()) {
+      total_ = product(total_, *values);
+      listed.emplace_back();
+      continue;
+    }
+    std::vector<BitModel> models = part.find({}, uniform_.most_listed + 1, stop_);
+    if (models.size() > uniform_.most_listed) {
+      large.push_back(i);
+    } else {
+      total_ = product(total_, models.size());
+      listed.push_back(std::move(models));
+    }
+  }
+  if (!large.empty() && total_ > 0) {
+    space_->join(large);
+    sampler_.emplace(space_->parts().back(), RandomStream(seed_, Purpose::kCells, 0), stop_);
+  }
+  listed_ = std::move(listed);
+  prepared_ = true;
+}
+
+/// Whether so many solutions came, or were drawn in vain, that listing all of them is no more work. It does
+/// not depend on what a run did before that is not known to one that goes on after the same solutions.
+bool UniformEngine::worth_listing() const {
+  const double quarter = std::exp2(sampler_->guessed_log2()) * static_cast<double>(total_) / 4;
+  return static_cast<double>(came_) > quarter || static_cast<double>(draws_) > std::max(kFewDraws, quarter);
+}
+
+bool UniformEngine::all_drawn() const {
+  if (sampler_ && !rest_) return false;
+  return drawn_.size() >= (rest_ ? product(total_, rest_->size()) : total_);
+}
+
+BitModel UniformEngine::draw_of_rest() {
+  if (!worth_listing()) return sampler_->draw(*random_, stop_);
+  if (!rest_) rest_ = space_->parts().back().find({}, SIZE_MAX, stop_);
+  return (*rest_)[random_->below(rest_->size())];
+}
+
+VariableValues UniformEngine::draw() {
+  ++draws_;
+  VariableValues values = space_->lowest();
+  for (std::size_t i = 0; i < listed_.size(); ++i) {
+    const SpacePart& part = space_->parts()[i];
+    if (const auto count = part.free_values()) {
+      values[part.variables().front()] = part.free_value(random_->below(*count));
+    } else {
+      part.decode(listed_[i][random_->below(listed_[i].size())], values);
+    }
+  }
+  if (sampler_) space_->parts().back().decode(draw_of_rest(), values);
+  return values;
+}
+
+std::optional<Solution> UniformEngine::next() {
+  if (ending_ != Ending::kNone) return std::nullopt;
+  try {
+    prepare();
+    if (ending_ != Ending::kNone) return std::nullopt;
+    if (!passed_over_) {
+      random_.emplace(seed_, Purpose::kSample, came_++);
+      draws_ = 0;
+    }
+    passed_over_ = false;
+    while (!all_drawn()) {
+      const VariableValues values = draw();
+      if (!drawn_.insert(values).second) continue;
+      return engine_.run(Assignment(engine_.graph(), [&](std::size_t variable) { return values[variable]; }));
+    }
+    ending_ = Ending::kExhausted;
+  } catch (const Interrupted&) {
+    ending_ = Ending::kStopped;
+  }
+  return std::nullopt;
+}
+
+void UniformEngine::exclude(const KnownChoices& choices) {
+  explore();
+  if (!space_) return;
+  drawn_.insert(space_->values_of(choices));
+  ++came_;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,30 @@
+#pragma once
+#include "engines/engine.h"
+#include "engines/exhaustive/exhaustive_choices.h"
+
+namespace solitaire {
+
+/// Runs every execution of a program, one after the other, depth first over its choices: the definition of
+/// what the solutions are, and nothing cleverer. For programs whose executions can be counted, and for
+/// testing other engines.
+class ExhaustiveEngine : public Engine {
+ public:
+  ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits);
+
+  std::optional<Solution> next() override;
+  Ending ending() const override { return ending_; }
+  const AddressTable& addresses() const override { return addresses_; }
+  /// Executions run so far, solutions or not.
+  std::uint64_t executions() const { return executions_; }
+
+ private:
+  const Program& program_;
+  ParamValues params_;
+  Limits limits_;
+  AddressTable addresses_;
+  ExhaustiveChoices odometer_;
+  Ending ending_ = Ending::kNone;
+  std::uint64_t executions_ = 0;
+};
+
+}  // namespace solitaire

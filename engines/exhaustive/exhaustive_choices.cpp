@@ -1,0 +1,28 @@
+#include "engines/exhaustive/exhaustive_choices.h"
+
+namespace solitaire {
+
+std::optional<std::int64_t> ExhaustiveChoices::answer(AddressId address, const ChoiceDomain& domain) {
+  // The same answers so far lead to the same next choice, so the digits read so far are this execution's.
+  if (depth_ == digits_.size()) {
+    const ChoiceDomain possible = widened(address, domain);
+    digits_.push_back({possible.lo, possible.hi, possible.step});
+  }
+  return digits_[depth_++].value;
+}
+
+bool ExhaustiveChoices::advance() {
+  depth_ = 0;
+  if (!started_) return started_ = true;
+  while (!digits_.empty()) {
+    Digit& last = digits_.back();
+    if (last.value + last.step <= last.hi) {
+      last.value += last.step;
+      return true;
+    }
+    digits_.pop_back();
+  }
+  return false;
+}
+
+}  // namespace solitaire

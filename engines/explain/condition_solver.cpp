@@ -1,0 +1,87 @@
+#include "engines/explain/condition_solver.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "tracegraph/cone.h"
+
+namespace solitaire {
+namespace {
+
+TracingOptions going_on(TracingOptions options) {
+  options.limits.keep_going = true;
+  options.diverse = false;
+  return options;
+}
+
+bool nothing_firm(const TraceAssert&) { return false; }
+
+}  // namespace
+
+ConditionSolver::ConditionSolver(const Program& program, const ParamValues& params,
+                                 const TracingOptions& options, Choices& choices, AddressTable& addresses,
+                                 Pins& pins)
+    : pins_(pins), solver_(program, params, going_on(options), choices, graph_, addresses, nothing_firm) {}
+
+const std::vector<TracedCondition>& ConditionSolver::all() {
+  solver_.explore();
+  if (traced_pass_ != solver_.passes()) {
+    traced_ = conditions_of(graph_, solver_.trace(), pins_);
+    traced_pass_ = solver_.passes();
+  }
+  return traced_;
+}
+
+ConditionSolver::Outcome ConditionSolver::find(const Wanted& wanted, const std::function<NodeId()>& also,
+                                               Ends ends) {
+  const auto conditions = [&] {
+    asked_.clear();
+    std::vector<NodeId> nodes;
+    for (const TracedCondition& each : all()) {
+      if (!wanted(each.condition)) continue;
+      asked_.emplace_back(each.holds, &each.condition);
+      nodes.push_back(each.holds);
+    }
+    if (also) nodes.push_back(graph_.disjunction(also(), solver_.unexplored()));
+    return nodes;
+  };
+  return solver_.find(conditions, ends);
+}
+
+ConditionSolver::Outcome ConditionSolver::find(const Conditions& wanted) {
+  return find([&](const Condition& each) { return wanted.count(each) != 0; });
+}
+
+ConditionSolver::Conditions ConditionSolver::core() {
+  std::unordered_map<NodeId, const Condition*> by_node;
+  for (const auto& [node, condition] : asked_) by_node.try_emplace(node, condition);
+  Conditions members;
+  for (const NodeId node : solver_.core()) {
+    const auto it = by_node.find(node);
+    if (it != by_node.end()) members.insert(*it->second);
+  }
+  return members;
+}
+
+std::size_t ConditionSolver::inexpressible() {
+  all();
+  const auto& program_errors = solver_.trace().program_errors;
+  return static_cast<std::size_t>(
+      std::count_if(program_errors.begin(), program_errors.end(),
+                    [](const TraceProgramError& mistake) { return !mistake.of_program; }));
+}
+
+std::set<AddressId> ConditionSolver::choices_below(const Conditions& conditions) {
+  std::vector<NodeId> nodes;
+  std::set<AddressId> addresses;
+  for (const TracedCondition& each : all()) {
+    if (conditions.count(each.condition) == 0) continue;
+    nodes.push_back(each.holds);
+    if (each.condition.pin != nullptr) addresses.insert(each.condition.address);
+  }
+  for (const std::size_t number : variables_below(graph_, nodes))
+    addresses.insert(graph_.variables()[number].address);
+  return addresses;
+}
+
+}  // namespace solitaire

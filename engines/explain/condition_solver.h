@@ -1,0 +1,47 @@
+#pragma once
+#include <set>
+
+#include "engines/explain/conditions.h"
+#include "engines/solve/execution_solver.h"
+
+namespace solitaire {
+
+/// Asks which conditions of a program can hold together. A condition that is left out is one that executions
+/// may break: they go on past a broken assert or a choice outside of its range, and end where a list has no
+/// element or nothing is there to choose from. They also end where they come to a mistake of the program or
+/// to what a pass cannot express, or run for long: its asserts may be there to keep them from that.
+class ConditionSolver {
+ public:
+  using Outcome = ExecutionSolver::Outcome;
+  using Ends = ExecutionSolver::Ends;
+  using Conditions = std::set<Condition>;
+  using Wanted = std::function<bool(const Condition&)>;
+
+  ConditionSolver(const Program& program, const ParamValues& params, const TracingOptions& options,
+                  Choices& choices, AddressTable& addresses, Pins& pins);
+
+  /// All conditions that have been met so far. Throws Interrupted.
+  const std::vector<TracedCondition>& all();
+  /// Whether those that are wanted can hold together; `also`, a bool node of graph(), too.
+  Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr,
+               Ends ends = Ends::kMistakesAndCuts);
+  Outcome find(const Conditions& wanted);
+  /// How often the newest pass met what it cannot express.
+  std::size_t inexpressible();
+  /// After kNone: those of the wanted ones that cannot hold together. Of several that mean the same, one.
+  Conditions core();
+  /// The addresses of the choices that the conditions depend on.
+  std::set<AddressId> choices_below(const Conditions& conditions);
+
+  Graph& graph() { return graph_; }
+
+ private:
+  Graph graph_;
+  Pins& pins_;
+  ExecutionSolver solver_;
+  std::vector<TracedCondition> traced_;
+  std::size_t traced_pass_ = 0;
+  std::vector<std::pair<NodeId, const Condition*>> asked_;  // by the last find
+};
+
+}  // namespace solitaire

@@ -1,0 +1,50 @@
+#include "engines/explain/conditions.h"
+
+#include <algorithm>
+#include <map>
+
+namespace solitaire {
+namespace {
+
+/// Whether an end is the same in all executions. Its condition compares it with the choice.
+bool is_fixed(const Graph& graph, NodeId condition) {
+  const auto operands = graph.node(condition).args();
+  return std::any_of(operands.begin(), operands.end(),
+                     [&](NodeId operand) { return graph.node(operand).is_constant(); });
+}
+
+}  // namespace
+
+bool is_end(ConstraintKind requirement) {
+  return requirement == ConstraintKind::kLowEnd || requirement == ConstraintKind::kHighEnd ||
+         requirement == ConstraintKind::kStep;
+}
+
+std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pins& pins) {
+  std::map<Condition, TracedCondition> conditions;
+  // The same condition is met on several paths where exclusive branches share an address.
+  const auto add = [&](Condition condition, NodeId guard, NodeId holds) {
+    TracedCondition& traced = conditions.try_emplace(condition).first->second;
+    traced.condition = std::move(condition);
+    traced.holds = graph.conjunction(traced.holds, holds);
+    traced.met = graph.disjunction(traced.met, guard);
+  };
+  std::map<AddressId, ChoiceDomain> domains;
+  for (const TraceChoice& choice : trace.choices) domains.emplace(choice.address, choice.domain);
+
+  for (const TraceAssert& each : trace.asserts) {
+    Condition condition{each.requirement, each.address, each.span, each.whole, each.message, nullptr, {}};
+    if (is_end(each.requirement) && is_fixed(graph, each.condition)) condition.domain = domains[each.address];
+    add(std::move(condition), each.guard, graph.implication(each.guard, each.condition));
+  }
+  for (const PinnedChoice& pinned : pinned_choices(graph, trace, pins)) {
+    const TraceChoice& choice = *pinned.choice;
+    add({{}, choice.address, choice.span, choice.span, "", pinned.pin, choice.domain}, choice.guard,
+        pinned.holds);
+  }
+  std::vector<TracedCondition> list;
+  for (auto& [key, traced] : conditions) list.push_back(std::move(traced));
+  return list;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,47 @@
+#pragma once
+#include <compare>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engines/solve/pins.h"
+#include "tracegraph/trace.h"
+
+namespace solitaire {
+
+/// A single condition of a program, as its author sees it: a conjunct of an assert, an end of a choice's
+/// range, a list that must have an element, or a pin; at one address, so of one call and loop turn.
+struct Condition {
+  ConstraintKind requirement = ConstraintKind::kAssert;  // of a pin: none
+  AddressId address;
+  Span span;
+  Span whole;           // of an assert: the whole condition
+  std::string message;  // the author's, or ""
+  const Pin* pin = nullptr;
+  std::optional<ChoiceDomain> domain;  // the choice's: of a pin, and of an end that depends on no choice
+
+  /// The same condition in every pass, whatever is known about it.
+  friend bool operator==(const Condition& a, const Condition& b) { return a.key() == b.key(); }
+  friend bool operator<(const Condition& a, const Condition& b) { return a.key() < b.key(); }
+
+ private:
+  std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, const Pin*, AddressId, ConstraintKind> key() const {
+    return {span.source, span.begin, span.end, pin, address, requirement};
+  }
+};
+
+/// Whether it is about a choice's range: an end, or the steps.
+bool is_end(ConstraintKind requirement);
+
+/// A condition, where a trace says when it holds.
+struct TracedCondition {
+  Condition condition;
+  NodeId holds = kTrue;
+  NodeId met = kFalse;  // whether an execution comes to it
+};
+
+/// All conditions of a trace whose asserts are taken apart, each once, in the order of the program's text.
+/// One that holds in all executions is among them too.
+std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pins& pins);
+
+}  // namespace solitaire

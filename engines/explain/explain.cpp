@@ -1,0 +1,130 @@
+#include "engines/explain/explain.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "engines/solve/wide_choices.h"
+
+namespace solitaire {
+namespace {
+
+using Conditions = ConditionSolver::Conditions;
+using Outcome = ConditionSolver::Outcome;
+
+/// The largest number that a graph knows, or its negative.
+std::int64_t largest_constant(const Graph& graph) {
+  std::int64_t largest = 0;
+  for (std::uint32_t i = 0; i < graph.size(); ++i) {
+    const Graph::Node& node = graph.node({i});
+    if (node.op == Op::kConstInt) largest = std::max(largest, std::abs(node.interval.lo));
+  }
+  return largest;
+}
+
+/// Leaves members out for as long as the rest cannot hold together; the fixed ones stay. False if some may be
+/// left that could be left out.
+bool minimize(ConditionSolver& solver, Conditions& members, const Conditions& fixed) {
+  bool minimal = true;
+  const std::vector<Condition> candidates(members.rbegin(), members.rend());
+  for (const Condition& candidate : candidates) {
+    if (members.count(candidate) == 0 || fixed.count(candidate) != 0) continue;
+    Conditions rest = members;
+    rest.erase(candidate);
+    const Outcome outcome = solver.find(rest);
+    if (outcome == Outcome::kNone) {
+      members = solver.core();
+      members.insert(fixed.begin(), fixed.end());
+    } else if (outcome != Outcome::kFound) {
+      minimal = false;
+    }
+  }
+  return minimal;
+}
+
+Ending ending_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kFound:
+      return Ending::kExhausted;
+    case Outcome::kUnexplored:
+      return Ending::kUnexplored;
+    case Outcome::kWrapped:
+      return Ending::kWrapped;
+    case Outcome::kStopped:
+      return Ending::kStopped;
+    case Outcome::kNone:
+      break;
+  }
+  return Ending::kNone;
+}
+
+}  // namespace
+
+Explainer::Explainer(const Program& program, ParamValues params, const TracingOptions& options)
+    : program_(program),
+      params_(std::move(params)),
+      options_(options),
+      pins_(options.pins, addresses_),
+      solver_(program, params_, options, choices_, addresses_, pins_) {}
+
+std::optional<Conflict> Explainer::next_conflict() {
+  if (ending_ != Ending::kNone) return std::nullopt;
+  const auto unexplained = [this](const Condition& each) { return explained_.count(each) == 0; };
+  ending_ = ending_of(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kMistakes));
+  if (ending_ != Ending::kNone) return std::nullopt;
+  Conditions members = solver_.core();
+  const bool minimal = minimize(solver_, members, {});
+  explained_.insert(members.begin(), members.end());
+  try {
+    return complete(members, minimal);
+  } catch (const Interrupted&) {
+    return Conflict{{members.begin(), members.end()}, false};
+  }
+}
+
+/// Where the choices lie within their ranges, intervals decide much that depends on them, and nothing tells
+/// any more on which of them. So this looks at a trace in which all are free, as far as the solver's numbers
+/// allow that.
+std::optional<Explainer::Freedom> Explainer::choices_below(const Conditions& members) {
+  for (const std::int64_t reach :
+       {2 * std::min(largest_constant(solver_.graph()), WideChoices::kMost), WideChoices::kLeast}) {
+    WideChoices choices(nullptr, reach, pins_);
+    ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
+    if (wide.inexpressible() > solver_.inexpressible()) continue;
+    Conditions conditions = members;
+    Freedom freedom{{}, reach};
+    for (bool grows = true; grows;) {  // the ends of ranges depend on further choices
+      const std::size_t before = freedom.choices.size();
+      freedom.choices.merge(wide.choices_below(conditions));
+      freedom.choices.merge(solver_.choices_below(conditions));
+      for (const TracedCondition& each : wide.all()) {
+        if (is_end(each.condition.requirement) && freedom.choices.count(each.condition.address) != 0)
+          conditions.insert(each.condition);
+      }
+      grows = freedom.choices.size() > before;
+    }
+    return freedom;
+  }
+  return std::nullopt;
+}
+
+/// Completes a conflict by the ends of ranges that take part: its conditions cannot hold together because
+/// choices lie within their ranges, so these choices are freed, and the ends become conditions of their own.
+Conflict Explainer::complete(Conditions members, bool minimal) {
+  Conflict conflict{{members.begin(), members.end()}, false};
+  const std::optional<Freedom> freedom = choices_below(members);
+  if (!freedom) return conflict;
+  WideChoices choices(&freedom->choices, freedom->reach, pins_);
+  ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
+  const Outcome outcome = wide.find([&](const Condition& each) {
+    return members.count(each) != 0 ||
+           (is_end(each.requirement) && freedom->choices.count(each.address) != 0);
+  });
+  if (outcome != Outcome::kNone) return conflict;
+  Conditions with_ends = wide.core();
+  with_ends.insert(members.begin(), members.end());
+  conflict.minimal = minimize(wide, with_ends, members) && minimal;
+  conflict.members.assign(with_ends.begin(), with_ends.end());
+  return conflict;
+}
+
+}  // namespace solitaire

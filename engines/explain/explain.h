@@ -1,0 +1,48 @@
+#pragma once
+#include "engines/explain/condition_solver.h"
+
+namespace solitaire {
+
+/// Conditions that cannot hold together.
+struct Conflict {
+  std::vector<Condition> members;  // in the order of the program's text
+  bool minimal = true;             // whether it is proved that without any one of them the others can hold
+};
+
+/// Says why a program has no solution: minimal sets of conditions that cannot hold together (minimal
+/// unsatisfiable subsets, found by deletion from the solver's cores).
+class Explainer {
+ public:
+  Explainer(const Program& program, ParamValues params, const TracingOptions& options);
+
+  /// A conflict none of whose conditions is in one that was found before; nothing if there is no further one,
+  /// or if the work ended early: then ending() says so.
+  std::optional<Conflict> next_conflict();
+  /// kExhausted: all independent conflicts were found.
+  Ending ending() const { return ending_; }
+  const AddressTable& addresses() const { return addresses_; }
+
+ private:
+  using Conditions = ConditionSolver::Conditions;
+
+  /// Choices that are free to lie outside of their ranges, and at least how far.
+  struct Freedom {
+    std::set<AddressId> choices;
+    std::int64_t reach;
+  };
+
+  Conflict complete(Conditions members, bool minimal);
+  std::optional<Freedom> choices_below(const Conditions& members);
+
+  const Program& program_;
+  ParamValues params_;
+  TracingOptions options_;
+  AddressTable addresses_;
+  Pins pins_;
+  OpenChoices choices_;
+  ConditionSolver solver_;
+  Conditions explained_;  // members of the conflicts so far
+  Ending ending_ = Ending::kNone;
+};
+
+}  // namespace solitaire

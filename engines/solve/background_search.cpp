@@ -1,0 +1,97 @@
+#include "engines/solve/background_search.h"
+
+namespace solitaire {
+namespace {
+
+/// Whoever gets the choices of a solution runs them for the rest.
+TracingOptions choices_only(TracingOptions options, const StopSignal& stop) {
+  options.limits.stop = &stop;
+  options.scene = SceneDetail::kNone;
+  return options;
+}
+
+}  // namespace
+
+BackgroundSearch::BackgroundSearch(std::shared_ptr<const OwnProgram> program, const TracingOptions& options,
+                                   std::uint64_t first, std::vector<KnownChoices> known, std::size_t wanted)
+    : program_(std::move(program)),
+      options_(choices_only(options, stop_)),
+      whole_(options.limits.stop),
+      stop_(whole_),
+      first_(first),
+      known_(std::move(known)),
+      wanted_(wanted),
+      thread_([this] { run(); }) {}
+
+BackgroundSearch::~BackgroundSearch() {
+  stop_.request();
+  changed_.notify_all();
+}
+
+void BackgroundSearch::run() {
+  try {
+    TracingEngine engine(program_->program, program_->params, options_, first_);
+    for (const KnownChoices& known : known_) engine.exclude(known);
+    while (wait_until_wanted()) {
+      const std::optional<Solution> solution = engine.next();
+      std::unique_lock lock(mutex_);
+      times_ = engine.times();
+      if (!solution) {
+        lock.unlock();
+        return finish(engine.ending(), nullptr);
+      }
+      found_.push_back(solution->answers);
+      changed_.notify_all();
+    }
+    finish(Ending::kStopped, nullptr);
+  } catch (const Interrupted&) {
+    finish(Ending::kStopped, nullptr);
+  } catch (...) {
+    finish(Ending::kStopped, std::current_exception());
+  }
+}
+
+void BackgroundSearch::finish(Ending ending, std::exception_ptr error) {
+  const std::lock_guard lock(mutex_);
+  ending_ = ending;
+  error_ = std::move(error);
+  over_ = true;
+  changed_.notify_all();
+}
+
+/// Signals wake nobody, so they are looked at now and then.
+constexpr std::chrono::milliseconds kLook{20};
+
+TracingTimes BackgroundSearch::times() const {
+  const std::lock_guard lock(mutex_);
+  return times_;
+}
+
+bool BackgroundSearch::wait_until_wanted() {
+  std::unique_lock lock(mutex_);
+  while (taken_ + found_.size() >= wanted_ && !stop_.stopped()) changed_.wait_for(lock, kLook);
+  return !stop_.stopped();
+}
+
+std::optional<KnownChoices> BackgroundSearch::next() {
+  std::unique_lock lock(mutex_);
+  wanted_ = std::max(wanted_, taken_ + 1);
+  changed_.notify_all();
+  while (found_.empty() && !over_) {
+    if (whole_ != nullptr && whole_->stopped()) {
+      ending_ = Ending::kStopped;
+      return std::nullopt;
+    }
+    changed_.wait_for(lock, kLook);
+  }
+  if (found_.empty()) {
+    if (error_) std::rethrow_exception(error_);
+    return std::nullopt;
+  }
+  KnownChoices next = std::move(found_.front());
+  found_.pop_front();
+  ++taken_;
+  return next;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,221 @@
+#include "engines/solve/execution_solver.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "engines/random_choices.h"
+#include "smt/sat/cadical_solver.h"
+#include "smt/z3/z3_solver.h"
+
+namespace solitaire {
+namespace {
+
+/// The dissertation's "all values represented as 16-bit integers" (section 4.2.1).
+constexpr unsigned kThesisWidth = 16;
+
+std::unique_ptr<Solver> make_solver(const Graph& graph, const AddressTable& addresses,
+                                    const TracingOptions& options, std::uint64_t seed) {
+  switch (options.backend) {
+    case Backend::kCadical:
+      break;
+    case Backend::kZ3:
+      return make_z3_solver(graph, addresses, {seed, options.diverse});
+    case Backend::kThesis:
+      if (options.exploration.policy != Exploration::Policy::kRandom)
+        throw std::logic_error("the dissertation's engine explores at random");
+      return make_z3_solver(graph, addresses, {seed, false, true, kThesisWidth});
+  }
+  return make_cadical_solver(graph, {seed, options.diverse, options.far_apart});
+}
+
+}  // namespace
+
+ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, const TracingOptions& options,
+                                 Choices& choices, Graph& graph, AddressTable& addresses, Firm firm,
+                                 std::uint64_t stream)
+    : graph_(graph),
+      addresses_(addresses),
+      options_(options),
+      firm_(std::move(firm)),
+      explorer_(program, std::move(params), options.exploration, options.seed, options.limits, choices, graph,
+                addresses) {
+  if (options_.limits.stop == nullptr) options_.limits.stop = &never_;
+  const std::uint64_t solver_seed = RandomStream(options.seed, Purpose::kSolver, stream).next();
+  solver_ = make_solver(graph_, addresses_, options_, solver_seed);
+  if (options.effort > 0) solver_->limit_effort(options.effort);
+}
+
+ExecutionSolver::~ExecutionSolver() = default;
+
+void ExecutionSolver::explore() {
+  if (explorer_.passes() == 0) {
+    const Stopwatch watch(times_.explore);
+    explorer_.start();
+  }
+  sync();
+}
+
+/// Tells the solver what the newest pass found. Conditions of earlier passes stay: each says something true
+/// about the executions that its guard describes, whatever else has been opened since.
+void ExecutionSolver::sync() {
+  if (synced_pass_ == explorer_.passes()) return;
+  synced_pass_ = explorer_.passes();
+  const Stopwatch watch(times_.encode);
+  for (const TraceAssert& condition : trace().asserts) {
+    if (!firm_(condition)) continue;
+    const NodeId required = graph_.implication(condition.guard, condition.condition);
+    if (required != kTrue && required_.insert(required.index).second) solver_->add_clause({&required, 1});
+  }
+  if (!asserts_closed_sides()) return;
+  for (const TraceBlocker& blocker : trace().blockers) {
+    const NodeId closed = graph_.negation(blocker.guard);
+    solver_->add_clause({&closed, 1});
+  }
+}
+
+void ExecutionSolver::suggest_random_values(std::uint64_t index) {
+  RandomChoices random(RandomStream(options_.seed, Purpose::kSuggest, index));
+  for (std::size_t i = 0; i < graph_.variables().size(); ++i) {
+    const ChoiceVariable& variable = graph_.variables()[i];
+    if (!solver_->suggest(i, *random.answer(variable.address, variable.domain))) return;
+  }
+}
+
+NodeId ExecutionSolver::unexplored() {
+  NodeId any = kFalse;
+  for (const TraceBlocker& blocker : trace().blockers) any = graph_.disjunction(any, blocker.guard);
+  return any;
+}
+
+std::vector<NodeId> ExecutionSolver::closed_sides(Ends ends) const {
+  std::vector<NodeId> closed;
+  if (asserts_closed_sides()) return closed;
+  for (const TraceBlocker& blocker : trace().blockers) {
+    if (ends == Ends::kMistakesAndCuts && blocker.side.kind == BranchSide::Kind::kCut) continue;
+    closed.push_back(graph_.negation(blocker.guard));
+  }
+  return closed;
+}
+
+Verdict ExecutionSolver::check(std::vector<NodeId> assumptions) {
+  std::sort(assumptions.begin(), assumptions.end(), [](NodeId a, NodeId b) { return a.index < b.index; });
+  assumptions.erase(std::unique(assumptions.begin(), assumptions.end()), assumptions.end());
+  std::erase(assumptions, kTrue);
+  const Stopwatch watch(times_.solve);
+  const Verdict verdict = solver_->check(assumptions, *options_.limits.stop);
+  if (verdict == Verdict::kUnsatisfiable) core_ = solver_->core();
+  return verdict;
+}
+
+ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions, Ends ends) {
+  const auto without_mistakes = [&] {
+    std::vector<NodeId> all = conditions();
+    if (ends != Ends::kNone) return all;
+    for (const TraceProgramError& mistake : trace().program_errors)
+      all.push_back(graph_.negation(mistake.guard));
+    return all;
+  };
+  while (true) {
+    const Outcome outcome = find_explored(without_mistakes, ends);
+    if (outcome != Outcome::kNone) return outcome;
+    const std::vector<std::size_t> in_the_way = blockers_in_core();
+    if (in_the_way.empty()) {
+      if (asserts_closed_sides() && !trace().blockers.empty()) return Outcome::kUnexplored;
+      return solver_->exact() ? Outcome::kNone : Outcome::kWrapped;
+    }
+    try {
+      if (!open(in_the_way)) return Outcome::kUnexplored;
+    } catch (const Interrupted&) {
+      return Outcome::kStopped;
+    }
+  }
+}
+
+ExecutionSolver::Outcome ExecutionSolver::find_explored(const Conditions& conditions, Ends ends) {
+  try {
+    explore();
+  } catch (const Interrupted&) {
+    return Outcome::kStopped;
+  }
+  std::vector<NodeId> assumptions = conditions();
+  const std::vector<NodeId> closed = closed_sides(ends);
+  assumptions.insert(assumptions.end(), closed.begin(), closed.end());
+  switch (check(std::move(assumptions))) {
+    case Verdict::kSatisfiable:
+      return Outcome::kFound;
+    case Verdict::kUnsatisfiable:
+      return Outcome::kNone;
+    case Verdict::kStopped:
+      break;
+  }
+  return Outcome::kStopped;
+}
+
+std::vector<std::size_t> ExecutionSolver::blockers_in_core() const {
+  const std::unordered_set<NodeId> core(core_.begin(), core_.end());
+  std::vector<std::size_t> blockers;
+  for (std::size_t i = 0; i < trace().blockers.size(); ++i) {
+    if (core.count(graph_.negation(trace().blockers[i].guard)) != 0) blockers.push_back(i);
+  }
+  return blockers;
+}
+
+bool ExecutionSolver::open(const std::vector<std::size_t>& blockers) {
+  {
+    const Stopwatch watch(times_.explore);
+    if (!explorer_.open(blockers)) return false;
+  }
+  sync();
+  return true;
+}
+
+bool ExecutionSolver::explore_fully(std::size_t most_passes) {
+  explore();
+  for (std::size_t pass = 0; !trace().blockers.empty(); ++pass) {
+    if (pass == most_passes) return false;
+    switch (check({unexplored()})) {
+      case Verdict::kUnsatisfiable:
+        return true;
+      case Verdict::kStopped:
+        throw Interrupted{};
+      case Verdict::kSatisfiable:
+        break;
+    }
+    Assignment model = assignment();
+    std::vector<std::size_t> reached;
+    for (std::size_t i = 0; i < trace().blockers.size(); ++i) {
+      if (model.holds(trace().blockers[i].guard)) reached.push_back(i);
+    }
+    if (!open(reached)) return false;
+  }
+  return true;
+}
+
+Assignment ExecutionSolver::assignment() {
+  return Assignment(graph_, [this](std::size_t variable) { return solver_->value(variable); });
+}
+
+Answers ExecutionSolver::answers() {
+  Assignment model = assignment();
+  return answers(model);
+}
+
+Answers ExecutionSolver::answers(Assignment& assignment, bool* complete) const {
+  Answers answers;
+  for (const TraceChoice& choice : trace().choices) {
+    if (!assignment.holds(choice.guard)) continue;
+    const bool added =
+        answers.try_emplace(choice.address, choice.variable, assignment.value(choice.variable)->i).second;
+    if (!added)
+      throw InternalError("two choices of one execution share the address " +
+                          addresses_.text(choice.address));
+  }
+  if (complete != nullptr) {
+    const auto& blockers = trace().blockers;
+    *complete = std::none_of(blockers.begin(), blockers.end(),
+                             [&](const TraceBlocker& blocker) { return assignment.holds(blocker.guard); });
+  }
+  return answers;
+}
+
+}  // namespace solitaire

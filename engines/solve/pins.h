@@ -1,0 +1,66 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "solitaire/run/choices.h"
+#include "tracegraph/address_pattern.h"
+
+namespace solitaire {
+
+/// What the user fixes about the choices whose addresses match a pattern.
+struct Pin {
+  AddressPattern pattern;
+  std::int64_t value = 0;  // as of AnsweredChoice
+  bool forbidden = false;  // the choices must not have the value, rather than have it
+  std::string source;      // how the user said it, for messages: "--pin 'x=3'"
+};
+
+/// Which pins hold for which choices.
+class Pins {
+ public:
+  Pins(std::vector<Pin> pins, const AddressTable& addresses)
+      : pins_(std::move(pins)), addresses_(addresses) {}
+
+  bool empty() const { return pins_.empty(); }
+  /// Those that match the address.
+  const std::vector<const Pin*>& at(AddressId address);
+  /// What a choice is pinned to, by the first that matches.
+  std::optional<std::int64_t> value_at(AddressId address);
+  /// Those that match none of the addresses.
+  std::vector<const Pin*> unmatched(const std::vector<AddressId>& addresses);
+
+ private:
+  std::vector<Pin> pins_;
+  const AddressTable& addresses_;
+  std::unordered_map<AddressId, std::vector<const Pin*>> matches_;
+};
+
+/// What a pattern that matches none of the addresses was probably meant to be, most likely first: addresses,
+/// or where the pattern has a `**` at one of its ends, patterns that do match.
+std::vector<std::string> nearest_patterns(const AddressPattern& pattern,
+                                          const std::vector<std::vector<std::string>>& addresses,
+                                          std::size_t count);
+
+/// What the pins require of the choices of a trace: a condition for each pin and choice that it matches.
+struct PinnedChoice {
+  const Pin* pin;
+  const TraceChoice* choice;
+  NodeId holds;
+};
+std::vector<PinnedChoice> pinned_choices(Graph& graph, const Trace& trace, Pins& pins);
+
+/// Answers choices with what they are pinned to, and leaves the others open.
+class PinnedChoices : public Choices {
+ public:
+  explicit PinnedChoices(Pins& pins) : pins_(pins) {}
+  std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain&) override {
+    return pins_.empty() ? std::nullopt : pins_.value_at(address);
+  }
+
+ private:
+  Pins& pins_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,228 @@
+#include "engines/solve/series.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <system_error>
+
+namespace solitaire {
+namespace {
+
+/// A block does not know what is found in so many blocks before it.
+constexpr std::size_t kUnknownBlocks = 7;
+
+/// The choices as text, by which they are told apart. The kinds are not written down everywhere.
+std::string key(const KnownChoices& choices) {
+  std::string text;
+  for (const AnsweredChoice& choice : choices) text += fmt::format("{}={}\n", choice.address, choice.value);
+  return text;
+}
+
+}  // namespace
+
+Series::Series(const Program& program, ParamValues params, const TracingOptions& tracing,
+               SeriesOptions options)
+    : program_(program), params_(std::move(params)), tracing_(tracing), options_(std::move(options)) {
+  tracing_.one_of_alike = options_.distinct_results;
+  engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_);
+}
+
+void Series::explore() {
+  engine_->explore();
+  if (manner_ != Manner::kUnknown) return;
+  if (!tracing_.diverse) {
+    manner_ = Manner::kEnumeration;
+  } else if (tracing_.relax || tracing_.min_distance.any() || !engine_->pass().trace.wishes.empty()) {
+    manner_ = Manner::kBestFirst;
+  } else {
+    manner_ = Manner::kBlocks;
+  }
+  block_ = {0, 0, size(0, 0)};
+  start_searches();
+}
+
+/// Small blocks first, so that few solutions, too, are found side by side. Then few enough blocks that the
+/// search does not mainly start.
+std::size_t Series::size(std::size_t number, std::size_t start) const {
+  constexpr std::size_t kUsual = 32;
+  switch (manner_) {
+    case Manner::kUnknown:
+    case Manner::kEnumeration:
+      return SIZE_MAX;
+    case Manner::kBestFirst:
+      return std::max(kUsual, start / 4);
+    case Manner::kBlocks:
+      break;
+  }
+  if (number < 3) return std::size_t{4} << number;
+  return std::max(kUsual, start / 8);
+}
+
+Series::Block Series::block_after(const Block& block) const {
+  return {block.number + 1, block.end, block.end + size(block.number + 1, block.end)};
+}
+
+/// How many of the first solutions the engine of a block knows.
+std::size_t Series::known_to(const Block& block) const {
+  if (manner_ != Manner::kBlocks) return block.start;
+  if (block.number <= kUnknownBlocks) return 0;
+  Block last{0, 0, size(0, 0)};
+  while (last.number + kUnknownBlocks + 1 < block.number) last = block_after(last);
+  return last.end;
+}
+
+void Series::start(const Block& block) {
+  block_ = block;
+  if (in_background()) {
+    past_times_ += searches_.front().second->times();
+    searches_.pop_front();
+    return start_searches();
+  }
+  past_times_ += engine_->times();
+  engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, block.start);
+  if (told_) engine_->on_improvement(told_);
+  for (std::size_t i = 0; i < known_to(block); ++i) {
+    engine_->exclude(solutions_[i]);
+    engine_->keep_away_from(solutions_[i]);
+  }
+}
+
+/// Where there is more than one block to work on.
+bool Series::in_background() const {
+  return manner_ == Manner::kBlocks && options_.workers.size() > 1 &&
+         (options_.most == 0 || options_.most > size(0, 0));
+}
+
+/// As many as there are workers, of the blocks from the present one on. Where there are no threads for them,
+/// fewer have to do, or the thread that asks does all.
+void Series::start_searches() {
+  try {
+    while (in_background() && searches_.size() < std::min(options_.workers.size(), kUnknownBlocks + 1)) {
+      const Block block = searches_.empty() ? block_ : block_after(searches_.back().first);
+      const bool needed = options_.most == 0 || block.start < options_.most || searches_.empty();
+      if (!needed) return;
+      searches_.emplace_back(block, search(block));
+    }
+  } catch (const std::system_error&) {
+    if (!searches_.empty()) return;
+    options_.workers.clear();
+    start(block_);
+  }
+}
+
+std::unique_ptr<BackgroundSearch> Series::search(const Block& block) const {
+  const auto idle =
+      std::find_if(options_.workers.begin(), options_.workers.end(), [this](const auto& worker) {
+        return std::none_of(searches_.begin(), searches_.end(),
+                            [&](const auto& search) { return search.second->program() == worker; });
+      });
+  const auto known = solutions_.begin() + static_cast<std::ptrdiff_t>(known_to(block));
+  const std::size_t end = options_.most == 0 ? block.end : std::min<std::size_t>(block.end, options_.most);
+  return std::make_unique<BackgroundSearch>(
+      *idle, tracing_, block.start, std::vector(solutions_.begin(), known), end - std::min(end, block.start));
+}
+
+std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
+  explore();
+  std::vector<Solution> known = run_all(*engine_, earlier);
+  Block block{0, 0, size(0, 0)};
+  while (block.end <= earlier.size()) block = block_after(block);
+  for (std::size_t i = 0; i < block.start; ++i) remember(known[i]);
+  to_repeat_.assign(earlier.begin() + static_cast<std::ptrdiff_t>(block.start), earlier.end());
+  if (block.number == 0) return known;
+  searches_.clear();
+  block_ = block;
+  if (in_background()) {
+    start_searches();
+  } else {
+    start(block);
+  }
+  return known;
+}
+
+void Series::remember(const Solution& solution) {
+  solutions_.push_back(solution.answers);
+  choices_.insert(key(solution.answers));
+  if (options_.distinct_results) results_.add(solution.execution);
+}
+
+std::optional<Solution> Series::next() {
+  if (!catch_up()) return std::nullopt;
+  return next_new();
+}
+
+/// If something else comes, then the earlier solutions were found in another way, and the series goes on
+/// without repeating any of them.
+bool Series::catch_up() {
+  explore();
+  while (!to_repeat_.empty()) {
+    const std::optional<Solution> solution = next_new();
+    if (!solution && ending_ == Ending::kStopped) return false;
+    if (solution && key(solution->answers) == key(to_repeat_.front())) {
+      to_repeat_.pop_front();
+      continue;
+    }
+    if (solution) {
+      solutions_.pop_back();
+      choices_.erase(key(solution->answers));
+    }
+    for (const KnownChoices& choices : std::exchange(to_repeat_, {})) remember(engine_->run(choices));
+    ending_ = Ending::kNone;
+    manner_ = Manner::kBestFirst;  // each block knows all before it
+    searches_.clear();
+    start({block_.number + 1, solutions_.size(), SIZE_MAX});
+  }
+  return true;
+}
+
+std::optional<Solution> Series::next_new() {
+  while (true) {
+    if (solutions_.size() >= block_.end) start(block_after(block_));
+    std::optional<Solution> solution = next_of_block();
+    if (!solution) return solution;
+    if (!choices_.insert(key(solution->answers)).second) continue;  // another block found it
+    if (options_.distinct_results && !results_.add(solution->execution)) {
+      ++alike_;
+      continue;
+    }
+    solutions_.push_back(solution->answers);
+    engine_->keep_away_from(solution->answers);
+    return solution;
+  }
+}
+
+std::optional<Solution> Series::next_of_block() {
+  if (!in_background()) {
+    std::optional<Solution> solution = engine_->next();
+    ending_ = engine_->ending();
+    return solution;
+  }
+  BackgroundSearch& search = *searches_.front().second;
+  const std::optional<KnownChoices> choices = search.next();
+  ending_ = choices ? Ending::kNone : search.ending();
+  if (!choices) return std::nullopt;
+  return engine_->run(*choices);
+}
+
+TracingTimes Series::times() const {
+  TracingTimes times = past_times_;
+  times += engine_->times();
+  for (const auto& [block, search] : searches_) times += search->times();
+  return times;
+}
+
+TracingEngine& Series::engine_of_rest() {
+  if (manner_ != Manner::kBlocks) return *engine_;
+  searches_.clear();
+  engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, solutions_.size());
+  for (const KnownChoices& choices : solutions_) engine_->exclude(choices);
+  if (ending_ == Ending::kExhausted) engine_->next();
+  engine_->check_mistakes();
+  return *engine_;
+}
+
+void Series::on_improvement(std::function<void(const Solution&)> told) {
+  told_ = std::move(told);
+  engine_->on_improvement(told_);
+}
+
+}  // namespace solitaire

@@ -1,0 +1,85 @@
+#pragma once
+#include <atomic>
+#include <deque>
+#include <unordered_set>
+
+#include "engines/distinct.h"
+#include "engines/solve/background_search.h"
+#include "engines/solve/solution_source.h"
+
+namespace solitaire {
+
+struct SeriesOptions {
+  bool distinct_results = false;  // leave out solutions that look like earlier ones
+  std::uint64_t most = 0;         // that will be asked for; 0: nobody knows
+  /// Programs of the same text and params, one for each search that may be at work beside others. None: all
+  /// is done on the thread that asks.
+  std::vector<std::shared_ptr<const OwnProgram>> workers;
+};
+
+/// The solutions that TracingEngines find, block by block. Each block has an engine of its own, and a stream
+/// of random numbers. It knows the solutions of the blocks before, but not of the last few, so that several
+/// can be worked on at a time, with the same result however many these are; what other blocks have found,
+/// too, is left out. A series that was interrupted repeats the search from the start of its block on.
+///
+/// Where the best solutions come first, or none may be near another, a block has to know all before it, and
+/// one follows the other. Where
+/// all are gone through in order, there is one block.
+class Series : public SolutionSource {
+ public:
+  Series(const Program& program, ParamValues params, const TracingOptions& tracing, SeriesOptions options);
+
+  std::vector<Solution> resume(const std::vector<KnownChoices>& earlier) override;
+  /// Finds again what came of the block in which the series was interrupted.
+  bool catch_up() override;
+  void explore() override;
+  std::optional<Solution> next() override;
+  void on_improvement(std::function<void(const Solution&)> told) override;
+
+  bool has_threads() const override { return !searches_.empty(); }
+  Ending ending() const override { return ending_; }
+  TracingTimes times() const override;
+  TracingEngine& engine() override { return *engine_; }
+  const TracingEngine& engine() const override { return *engine_; }
+  TracingEngine& engine_of_rest() override;
+  std::uint64_t alike() const override { return alike_; }
+
+ private:
+  struct Block {
+    std::size_t number = 0;
+    std::size_t start = 0;  // its first solution
+    std::size_t end = 0;
+  };
+  enum class Manner : std::uint8_t { kUnknown, kBlocks, kBestFirst, kEnumeration };
+
+  Block block_after(const Block& block) const;
+  std::size_t size(std::size_t number, std::size_t start) const;
+  std::size_t known_to(const Block& block) const;
+  bool in_background() const;
+  void start(const Block& block);
+  void start_searches();
+  std::unique_ptr<BackgroundSearch> search(const Block& block) const;
+  std::optional<Solution> next_new();
+  std::optional<Solution> next_of_block();
+  void remember(const Solution& solution);
+
+  const Program& program_;
+  ParamValues params_;
+  TracingOptions tracing_;
+  SeriesOptions options_;
+  Manner manner_ = Manner::kUnknown;
+  std::unique_ptr<TracingEngine> engine_;  // of the block, if that is not worked on in the background
+  std::deque<std::pair<Block, std::unique_ptr<BackgroundSearch>>>
+      searches_;             // the block's, and of the next ones
+  TracingTimes past_times_;  // of engines and searches that are over
+  std::function<void(const Solution&)> told_;
+  Block block_;
+  DistinctResults results_;
+  std::unordered_set<std::string> choices_;  // of all solutions
+  std::vector<KnownChoices> solutions_;
+  std::deque<KnownChoices> to_repeat_;  // of the block, came already
+  std::atomic<std::uint64_t> alike_ = 0;
+  Ending ending_ = Ending::kNone;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,61 @@
+#pragma once
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "smt/sat/sparse_table.h"
+
+namespace solitaire {
+
+/// Variables in the order in which they had a part in conflicts, the latest first (variable move to front;
+/// Ryan 2004, Biere and Fröhlich 2015).
+class VmtfQueue {
+ public:
+  /// Moves the variables to the front, and leaves their order among each other as it is.
+  void move_to_front(std::span<const int> variables);
+  /// The first variable for which is_open(variable) holds; 0 if there is none. Asks again only for those that
+  /// were opened since.
+  template <class IsOpen>
+  int first_open(IsOpen is_open) {
+    while (next_ != 0 && !is_open(next_)) next_ = link(next_).behind;
+    return next_;
+  }
+  /// The variable is open again.
+  void open(int variable) {
+    const auto at = static_cast<std::size_t>(variable);
+    if (at >= links_.size()) return;
+    const Link* const met = links_.find(at);
+    if (met != nullptr && met->moved > (next_ == 0 ? 0 : link(next_).moved)) next_ = variable;
+  }
+  /// Forgets everything.
+  void clear();
+
+ private:
+  /// Neighbours in the queue, 0 at its ends.
+  struct Link {
+    int ahead = 0, behind = 0;
+    std::uint64_t moved = 0;  // when, the later the larger; 0: never
+  };
+
+  /// Sorted by when it was moved last, then as given.
+  struct Moving {
+    std::uint64_t moved;
+    std::size_t place;
+    int variable;
+    friend auto operator<=>(const Moving&, const Moving&) = default;
+  };
+
+  Link& link(int variable) { return links_[static_cast<std::size_t>(variable)]; }
+  void take_out(int variable);
+  void put_first(int variable);
+
+  SparseTable<Link> links_;  // by variable
+  int front_ = 0;
+  int next_ = 0;  // none ahead of it is open
+  std::uint64_t moves_ = 0;
+  std::vector<Moving> moving_;
+};
+
+}  // namespace solitaire

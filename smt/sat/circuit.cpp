@@ -1,0 +1,112 @@
+#include "smt/sat/circuit.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/hash.h"
+
+namespace solitaire {
+
+Circuit::Circuit() : gates_(1), table_(1024) {}
+
+Literal Circuit::input() {
+  gates_.emplace_back();
+  return {static_cast<std::uint32_t>(gates_.size() - 1), false};
+}
+
+Literal Circuit::conjunction(Literal a, Literal b) {
+  if (b < a) std::swap(a, b);
+  if (a == kFalseLiteral || a == !b) return kFalseLiteral;
+  if (a == kTrueLiteral || a == b) return b;
+  return intern(Kind::kAnd, {a, b, {}});
+}
+
+Literal Circuit::exclusive_or(Literal a, Literal b) {
+  if (b < a) std::swap(a, b);
+  if (is_constant(a)) return b ^ a.negated();
+  if (a.gate() == b.gate()) return constant_literal(a != b);
+  const bool negate = a.negated() != b.negated();
+  return intern(Kind::kXor, {a ^ a.negated(), b ^ b.negated(), {}}) ^ negate;
+}
+
+Literal Circuit::mux(Literal condition, Literal a, Literal b) {
+  if (is_constant(condition)) return condition == kTrueLiteral ? a : b;
+  if (a == b) return a;
+  if (a == !b) return equivalence(condition, a);
+  if (a == kTrueLiteral || a == condition) return disjunction(condition, b);
+  if (a == kFalseLiteral || a == !condition) return conjunction(!condition, b);
+  if (b == kTrueLiteral || b == !condition) return disjunction(!condition, a);
+  if (b == kFalseLiteral || b == condition) return conjunction(condition, a);
+  if (condition.negated()) {
+    condition = !condition;
+    std::swap(a, b);
+  }
+  const bool negate = a.negated();
+  return intern(Kind::kMux, {condition, a ^ negate, b ^ negate}) ^ negate;
+}
+
+Literal Circuit::parity(Literal a, Literal b, Literal c) {
+  std::array<Literal, 3> x{a, b, c};
+  std::sort(x.begin(), x.end());
+  if (is_constant(x[0])) return exclusive_or(x[1], x[2]) ^ x[0].negated();
+  if (x[0].gate() == x[1].gate()) return x[2] ^ (x[0] != x[1]);
+  if (x[1].gate() == x[2].gate()) return x[0] ^ (x[1] != x[2]);
+  bool negate = false;
+  for (Literal& each : x) {
+    negate = negate != each.negated();
+    each = each ^ each.negated();
+  }
+  return intern(Kind::kParity, x) ^ negate;
+}
+
+Literal Circuit::majority(Literal a, Literal b, Literal c) {
+  std::array<Literal, 3> x{a, b, c};
+  std::sort(x.begin(), x.end());
+  if (x[0] == kFalseLiteral) return conjunction(x[1], x[2]);
+  if (x[0] == kTrueLiteral) return disjunction(x[1], x[2]);
+  if (x[0].gate() == x[1].gate()) return x[0] == x[1] ? x[0] : x[2];
+  if (x[1].gate() == x[2].gate()) return x[1] == x[2] ? x[1] : x[0];
+  const bool negate = x[0].negated();  // it is self-dual
+  for (Literal& each : x) each = each ^ negate;
+  return intern(Kind::kMajority, x) ^ negate;
+}
+
+Literal Circuit::defined(std::unique_ptr<Definition> definition) {
+  const Literal number(static_cast<std::uint32_t>(definitions_.size()), false);
+  definitions_.push_back(std::move(definition));
+  gates_.push_back({Kind::kDefined, {number, {}, {}}, 0});
+  return {static_cast<std::uint32_t>(gates_.size() - 1), false};
+}
+
+std::uint64_t Circuit::hash(const Gate& gate) {
+  const auto [a, b, c] = gate.operands;  // those that it has not are 0
+  return mix(std::uint64_t{a.code()} << 32 | b.code(),
+             std::uint64_t{c.code()} << 32 | static_cast<std::uint64_t>(gate.kind));
+}
+
+Literal Circuit::intern(Kind kind, std::array<Literal, 3> operands) {
+  if (2 * gates_.size() >= table_.size()) grow_table();
+  const Gate made{kind, operands, 0};
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = hash(made) & mask;
+  for (; table_[slot] != 0; slot = (slot + 1) & mask) {
+    if (gates_[table_[slot]] == made) return {table_[slot], false};
+  }
+  for (const Literal operand : operands) gates_[operand.gate()].uses += kind == Kind::kAnd ? 1 : 2;
+  table_[slot] = static_cast<std::uint32_t>(gates_.size());
+  gates_.push_back(made);
+  return {table_[slot], false};
+}
+
+void Circuit::grow_table() {
+  table_.assign(2 * table_.size(), 0);
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t i = 1; i < gates_.size(); ++i) {
+    if (gates_[i].kind == Kind::kInput || gates_[i].kind == Kind::kDefined) continue;
+    std::size_t slot = hash(gates_[i]) & mask;
+    while (table_[slot] != 0) slot = (slot + 1) & mask;
+    table_[slot] = static_cast<std::uint32_t>(i);
+  }
+}
+
+}  // namespace solitaire

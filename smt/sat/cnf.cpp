@@ -1,0 +1,268 @@
+#include "smt/sat/cnf.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "smt/sat/order_encoded_int.h"
+
+namespace solitaire {
+namespace {
+
+/// A conjunction in a clause of at most so many other literals makes as many clauses as it has operands, all
+/// with these literals; in a longer clause it gets a variable.
+constexpr std::size_t kMaxRepeated = 3;
+
+}  // namespace
+
+void ClauseSink::order_implication(const OrderImplication& order_implication) {
+  for (std::uint32_t i = 0; i < order_implication.count; ++i) {
+    const int literals[] = {-order_implication.guard,
+                            -(*order_implication.lower)[order_implication.first + i],
+                            (*order_implication.upper)[order_implication.base + i]};
+    clause(literals);
+  }
+}
+
+void Cnf::add_clause(std::span<const Literal> literals) {
+  for (const Literal literal : literals) circuit_.use(literal);
+  push({0, literals});
+  write_all();
+}
+
+int Cnf::assumable(Literal literal) {
+  circuit_.use(literal);
+  const bool fixed = is_constant(literal) && !has_number(literal);
+  const int number = demand(literal);
+  if (fixed) {
+    const int truth[] = {literal == kTrueLiteral ? number : -number};
+    sink_.clause(truth);
+  }
+  write_all();
+  return number;
+}
+
+int Cnf::equivalent(Literal literal) {
+  assumable(!literal);
+  return assumable(literal);
+}
+
+int Cnf::known_variable(Literal input) const { return has_number(input) ? numbers_[input.gate()] : 0; }
+
+/// Clauses make definitions necessary and these make clauses; on own stacks, as the circuit can be deeper
+/// than the machine's.
+void Cnf::write_all() {
+  while (true) {
+    if (!clauses_.empty()) {
+      write(pop());
+    } else if (!definitions_.empty()) {
+      const Literal literal = definitions_.back();
+      definitions_.pop_back();
+      define(literal);
+    } else {
+      return;
+    }
+  }
+}
+
+void Cnf::push(const Clause& clause) {
+  clauses_.push_back({clause.head, literals_.size()});
+  literals_.insert(literals_.end(), clause.literals.begin(), clause.literals.end());
+}
+
+/// Takes the clause pushed last into popped_; returns its head.
+int Cnf::pop() {
+  const Pending last = clauses_.back();
+  clauses_.pop_back();
+  const auto begin = literals_.begin() + static_cast<std::ptrdiff_t>(last.begin);
+  popped_.assign(begin, literals_.end());
+  literals_.erase(begin, literals_.end());
+  return last.head;
+}
+
+/// Writes the head or what is in popped_.
+void Cnf::write(int head) {
+  if (!flatten(popped_) || distribute(head)) return;
+  buffer_.clear();
+  if (head != 0) buffer_.push_back(head);
+  for (const Literal literal : popped_) buffer_.push_back(demand(literal));
+  sink_.clause(buffer_);
+}
+
+/// Without looking for what could be part of the clause: there are many of these.
+void Cnf::write_plain(int head, std::initializer_list<Literal> literals) {
+  buffer_.clear();
+  if (head != 0) buffer_.push_back(head);
+  for (const Literal literal : literals) {
+    if (literal == kTrueLiteral) return;
+    if (literal != kFalseLiteral) buffer_.push_back(demand(literal));
+  }
+  sink_.clause(buffer_);
+}
+
+/// Replaces disjunctions by their operands; false if the clause always holds.
+bool Cnf::flatten(std::vector<Literal>& literals) const {
+  for (std::size_t i = 0; i < literals.size();) {
+    const Literal literal = literals[i];
+    if (is_disjunction(literal) && inlinable(literal)) {
+      const auto& operands = circuit_.gate(literal).operands;
+      literals[i] = !operands[0];
+      literals.push_back(!operands[1]);
+    } else {
+      ++i;
+    }
+  }
+  std::sort(literals.begin(), literals.end());
+  literals.erase(std::unique(literals.begin(), literals.end()), literals.end());
+  std::erase(literals, kFalseLiteral);
+  if (!literals.empty() && literals.front() == kTrueLiteral) return false;
+  return std::adjacent_find(literals.begin(), literals.end(), [](Literal a, Literal b) { return a == !b; }) ==
+         literals.end();
+}
+
+/// Pushes the clauses that popped_ and the head stand for, if they are no single one.
+bool Cnf::distribute(int head) {
+  const std::size_t size = popped_.size() + (head != 0 ? 1 : 0);
+  if (size > kMaxRepeated + 1) return false;
+  const auto inlined = [this](Literal literal) { return inlinable(literal); };
+  const auto at = std::find_if(popped_.begin(), popped_.end(), inlined);
+  if (at == popped_.end()) return false;
+  if (std::find_if(at + 1, popped_.end(), inlined) != popped_.end()) return false;
+  rest_.assign(popped_.begin(), at);
+  rest_.insert(rest_.end(), at + 1, popped_.end());
+  push_meaning(*at, {head, rest_});
+  return true;
+}
+
+void Cnf::define(Literal literal) {
+  const int number = numbers_[literal.gate()];
+  push_meaning(literal, {literal.negated() ? number : -number, {}});
+}
+
+/// Writes that the literal or the rest holds, in terms of the gate's operands.
+void Cnf::push_meaning(Literal literal, const Clause& rest) {
+  const auto push = [&](std::initializer_list<Literal> literals) { push_clause(rest, literals); };
+  const bool negated = literal.negated();
+  const auto [a, b, c] = circuit_.gate(literal).operands;
+  switch (circuit_.gate(literal).kind) {
+    case Circuit::Kind::kInput:
+      return;
+    case Circuit::Kind::kAnd:
+      return negated ? push({!a, !b}) : push_conjuncts(literal, rest);
+    case Circuit::Kind::kXor:
+      push({a ^ negated, b});
+      return push({!a ^ negated, !b});
+    case Circuit::Kind::kMux:
+      push({!a, b ^ negated});
+      return push({a, c ^ negated});  // that b or c holds follows, and made no search shorter
+    case Circuit::Kind::kParity:
+      push({a ^ negated, b, c});
+      push({a ^ negated, !b, !c});
+      push({!a ^ negated, b, !c});
+      return push({!a ^ negated, !b, c});
+    case Circuit::Kind::kMajority:
+      push({a ^ negated, b ^ negated});
+      push({a ^ negated, c ^ negated});
+      return push({b ^ negated, c ^ negated});
+    case Circuit::Kind::kDefined:
+      return push_definition(circuit_.definition(literal), negated, rest);
+  }
+}
+
+/// The rest or the literals.
+void Cnf::push_clause(const Clause& rest, std::initializer_list<Literal> literals) {
+  push(rest);
+  literals_.insert(literals_.end(), literals);
+}
+
+void Cnf::push_definition(const Definition& definition, bool negated, const Clause& rest) {
+  if (!rest.literals.empty()) {
+    const auto push = [&](std::initializer_list<Literal> literals) { push_clause(rest, literals); };
+    return definition.write(negated, push);
+  }
+  const std::vector<OrderedPair> comparisons = definition.comparisons(negated);
+  if (comparisons.empty() || rest.head == 0) {
+    const auto write = [&](std::initializer_list<Literal> literals) { write_plain(rest.head, literals); };
+    return definition.write(negated, write);
+  }
+  for (const OrderedPair& pair : comparisons) write_comparison(rest.head, pair);
+}
+
+/// A ladder for each run of neighbouring values. What the lowest value implies, and that those are out which
+/// imply more than there is, are clauses of their own.
+void Cnf::write_comparison(int head, const OrderedPair& pair) {
+  const auto& [smaller, larger, strict] = pair;
+  const std::int64_t offset = strict ? 1 : 0;
+  write_plain(head, {larger->at_least(smaller->values.front() + offset)});
+  OrderImplication order_implication{&chain(*smaller, true), &chain(*larger, false), -head};
+  std::size_t implied = 0;
+  for (std::uint32_t i = 0; i < smaller->reached.size(); ++i) {
+    while (implied < larger->size() && larger->values[implied] < smaller->values[i + 1] + offset) ++implied;
+    if (implied == larger->size()) {
+      write_plain(head, {!smaller->reached[i]});
+      break;
+    }
+    if (implied == 0) continue;
+    const auto at = static_cast<std::uint32_t>(implied - 1);
+    if (order_implication.count > 0 && at == order_implication.base + order_implication.count) {
+      ++order_implication.count;
+      continue;
+    }
+    if (order_implication.count > 0) sink_.order_implication(order_implication);
+    order_implication.first = i;
+    order_implication.base = at;
+    order_implication.count = 1;
+  }
+  if (order_implication.count > 0) sink_.order_implication(order_implication);
+}
+
+/// The numbers of an order's literals, and the definitions of all in the direction in which a clause with
+/// them needs them.
+const std::vector<int>& Cnf::chain(const OrderEncodedInt& order, bool negated) {
+  std::unique_ptr<Chain>& chain = chains_[&order];
+  if (chain == nullptr) {
+    chain = std::make_unique<Chain>();
+    for (const Literal literal : order.reached) chain->literals.push_back(number(literal));
+  }
+  if (!std::exchange(chain->demanded[negated ? 1 : 0], true)) {
+    for (const Literal literal : order.reached) demand(literal ^ negated);
+  }
+  return chain->literals;
+}
+
+void Cnf::push_conjuncts(Literal conjunction, const Clause& rest) {
+  open_.assign(1, conjunction);
+  while (!open_.empty()) {
+    const Literal literal = open_.back();
+    open_.pop_back();
+    if (literal == conjunction || (is_conjunction(literal) && inlinable(literal))) {
+      const auto& operands = circuit_.gate(literal).operands;
+      open_.insert(open_.end(), {operands[1], operands[0]});
+    } else {
+      push_clause(rest, {literal});
+    }
+  }
+}
+
+/// The literal's number, and its definition in this direction.
+int Cnf::demand(Literal literal) {
+  if (defined_.size() <= literal.code()) defined_.resize(2 * circuit_.size());
+  if (circuit_.gate(literal).kind != Circuit::Kind::kInput && !defined_[literal.code()]) {
+    defined_[literal.code()] = true;
+    definitions_.push_back(literal);
+  }
+  return number(literal);
+}
+
+int Cnf::number(Literal literal) {
+  if (numbers_.size() <= literal.gate()) numbers_.resize(circuit_.size());
+  int& number = numbers_[literal.gate()];
+  if (number == 0) number = ++variables_;
+  return literal.negated() ? -number : number;
+}
+
+bool Cnf::inlinable(Literal literal) const {
+  const Circuit::Gate& gate = circuit_.gate(literal);
+  return gate.kind != Circuit::Kind::kInput && gate.uses <= 1 && !has_number(literal);
+}
+
+}  // namespace solitaire

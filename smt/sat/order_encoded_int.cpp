@@ -1,0 +1,200 @@
+#include "smt/sat/order_encoded_int.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+namespace solitaire {
+namespace {
+
+std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && a < 0 ? 1 : 0); }
+
+/// A number that can have these values, which are sorted. Of those that no value of the literals leads to,
+/// none is kept. That a value is always reached may show only at a later one. `at_least` is asked in their
+/// order.
+template <class AtLeast>
+OrderEncodedInt make(std::vector<std::int64_t> values, AtLeast at_least) {
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  OrderEncodedInt made{{values.front()}, {}};
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const Literal reached = at_least(values[i]);
+    if (reached == kFalseLiteral) break;
+    if (reached == kTrueLiteral) {
+      made = {{values[i]}, {}};
+    } else if (!made.reached.empty() && reached == made.reached.back()) {
+      made.values.back() = values[i];
+    } else {
+      made.values.push_back(values[i]);
+      made.reached.push_back(reached);
+    }
+  }
+  return made;
+}
+
+std::vector<std::int64_t> values_of_both(const OrderEncodedInt& a, const OrderEncodedInt& b) {
+  std::vector<std::int64_t> values;
+  std::merge(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), std::back_inserter(values));
+  return values;
+}
+
+std::vector<std::int64_t> sums_of_both(const OrderEncodedInt& a, const OrderEncodedInt& b) {
+  std::vector<std::int64_t> sums, with_one, all;
+  for (const std::int64_t y : b.values) {
+    with_one = a.values;
+    for (std::int64_t& value : with_one) value += y;
+    all.clear();
+    std::ranges::set_union(sums, with_one, std::back_inserter(all));
+    sums.swap(all);
+  }
+  return sums;
+}
+
+/// The literals of the number will stand in clauses.
+void use(Circuit& circuit, const OrderEncodedInt& order) {
+  for (const Literal literal : order.reached) {
+    circuit.use(literal);
+    circuit.use(literal);
+  }
+}
+
+void write_comparison(const OrderedPair& pair, const Definition::Emit& emit) {
+  for (const std::int64_t value : pair.smaller->values)
+    emit({!pair.smaller->at_least(value), pair.larger->at_least(value + (pair.strict ? 1 : 0))});
+}
+
+/// What `less` says and its negation, each a list of implications between what the two reach. Written as a
+/// formula of gates, one of the two would be a long disjunction, from which nothing follows in a search.
+class Comparison : public Definition {
+ public:
+  Comparison(SharedOrder a, SharedOrder b) : a_(std::move(a)), b_(std::move(b)) {}
+
+  void write(bool negated, const Emit& emit) const override {
+    for (const OrderedPair& pair : comparisons(negated)) write_comparison(pair, emit);
+  }
+
+  std::vector<OrderedPair> comparisons(bool negated) const override {
+    if (negated) return {{b_.get(), a_.get(), true}};
+    return {{a_.get(), b_.get(), false}};
+  }
+
+ private:
+  SharedOrder a_, b_;
+};
+
+class Equality : public Definition {
+ public:
+  Equality(SharedOrder a, SharedOrder b) : a_(std::move(a)), b_(std::move(b)) {}
+
+  void write(bool negated, const Emit& emit) const override {
+    if (!negated) {
+      for (const OrderedPair& pair : comparisons(negated)) write_comparison(pair, emit);
+      return;
+    }
+    std::vector<std::int64_t> common;
+    std::set_intersection(a_->values.begin(), a_->values.end(), b_->values.begin(), b_->values.end(),
+                          std::back_inserter(common));
+    for (const std::int64_t v : common)
+      emit({!a_->at_least(v), a_->more_than(v), !b_->at_least(v), b_->more_than(v)});
+  }
+
+  std::vector<OrderedPair> comparisons(bool negated) const override {
+    if (negated) return {};
+    return {{a_.get(), b_.get(), false}, {b_.get(), a_.get(), false}};
+  }
+
+ private:
+  SharedOrder a_, b_;
+};
+
+Literal is(Circuit& circuit, const OrderEncodedInt& a, std::int64_t value) {
+  if (!std::binary_search(a.values.begin(), a.values.end(), value)) return kFalseLiteral;
+  return circuit.conjunction(a.at_least(value), !a.more_than(value));
+}
+
+}  // namespace
+
+Literal OrderEncodedInt::at_least(std::int64_t bound) const {
+  return reaches(static_cast<std::size_t>(std::ranges::lower_bound(values, bound) - values.begin()));
+}
+
+Literal OrderEncodedInt::reaches(std::size_t position) const {
+  if (position == 0) return kTrueLiteral;
+  return position == values.size() ? kFalseLiteral : reached[position - 1];
+}
+
+OrderEncodedInt constant_order(std::int64_t value) { return {{value}, {}}; }
+
+OrderEncodedInt negated(const OrderEncodedInt& a) {
+  OrderEncodedInt made;
+  for (auto value = a.values.rbegin(); value != a.values.rend(); ++value) made.values.push_back(-*value);
+  for (auto literal = a.reached.rbegin(); literal != a.reached.rend(); ++literal)
+    made.reached.push_back(!*literal);
+  return made;
+}
+
+OrderEncodedInt scaled(const OrderEncodedInt& a, std::int64_t factor) {
+  OrderEncodedInt made = factor < 0 ? negated(a) : a;
+  for (std::int64_t& value : made.values) value *= factor < 0 ? -factor : factor;
+  return made;
+}
+
+OrderEncodedInt divided(const OrderEncodedInt& a, std::int64_t divisor) {
+  std::vector<std::int64_t> values;
+  for (const std::int64_t value : a.values) values.push_back(floor_divide(value, divisor));
+  return make(std::move(values), [&](std::int64_t bound) { return a.at_least(bound * divisor); });
+}
+
+OrderEncodedInt sum(Circuit& circuit, const OrderEncodedInt& a, const OrderEncodedInt& b) {
+  if (a.size() < b.size()) return sum(circuit, b, a);
+  // By value of b: the first value of a that reaches the bound with it.
+  std::vector<std::size_t> least(b.size());
+  return make(sums_of_both(a, b), [&](std::int64_t bound) {
+    Literal any = kFalseLiteral;
+    Literal rest = kFalseLiteral;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      while (least[i] < a.size() && a.values[least[i]] + b.values[i] < bound) ++least[i];
+      const Literal needed = a.reaches(least[i]);
+      if (needed != rest) any = circuit.disjunction(any, circuit.conjunction(b.reaches(i), needed));
+      rest = needed;
+    }
+    return any;
+  });
+}
+
+OrderEncodedInt select(Circuit& circuit, Literal condition, const OrderEncodedInt& a,
+                       const OrderEncodedInt& b) {
+  return make(values_of_both(a, b), [&](std::int64_t bound) {
+    return circuit.mux(condition, a.at_least(bound), b.at_least(bound));
+  });
+}
+
+OrderEncodedInt smaller(Circuit& circuit, const OrderEncodedInt& a, const OrderEncodedInt& b) {
+  return make(values_of_both(a, b),
+              [&](std::int64_t bound) { return circuit.conjunction(a.at_least(bound), b.at_least(bound)); });
+}
+
+OrderEncodedInt larger(Circuit& circuit, const OrderEncodedInt& a, const OrderEncodedInt& b) {
+  return make(values_of_both(a, b),
+              [&](std::int64_t bound) { return circuit.disjunction(a.at_least(bound), b.at_least(bound)); });
+}
+
+Literal less(Circuit& circuit, const SharedOrder& a, const SharedOrder& b, bool or_equal) {
+  if (!or_equal) return !less(circuit, b, a, true);
+  if (a->values.back() <= b->values.front()) return kTrueLiteral;
+  if (a->values.front() > b->values.back()) return kFalseLiteral;
+  if (a->size() == 1) return b->at_least(a->values.front());
+  if (b->size() == 1) return !a->more_than(b->values.front());
+  use(circuit, *a);
+  use(circuit, *b);
+  return circuit.defined(std::make_unique<Comparison>(a, b));
+}
+
+Literal equal(Circuit& circuit, const SharedOrder& a, const SharedOrder& b) {
+  if (a->size() == 1) return is(circuit, *b, a->values.front());
+  if (b->size() == 1) return is(circuit, *a, b->values.front());
+  use(circuit, *a);
+  use(circuit, *b);
+  return circuit.defined(std::make_unique<Equality>(a, b));
+}
+
+}  // namespace solitaire

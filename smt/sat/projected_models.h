@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "smt/sat/cnf.h"
+#include "solitaire/run/evaluator.h"
+
+namespace solitaire {
+
+/// The values of the literals that models are projected on.
+using BitModel = std::vector<bool>;
+
+/// An equation modulo 2: the number of the chosen literals that hold is odd, or even.
+struct XorConstraint {
+  std::vector<bool> chosen;  // by position among the literals that models are projected on
+  bool odd = false;
+};
+
+/// The models of a set of clauses, projected on some of their literals: two that agree on these are one.
+///
+/// Parities are the business of CryptoMiniSat (Soos, Nohl and Castelluccia, "Extending SAT Solvers to
+/// Cryptographic Problems", 2009), which knows them as constraints of their own; without any, CaDiCaL is
+/// faster.
+class ProjectedModels : public ClauseSink {
+ public:
+  /// Takes all clauses before the first search.
+  void clause(std::span<const int> literals) override;
+  /// The literals to project on, of different variables, as clauses number them.
+  void project_on(std::vector<int> literals);
+  std::size_t bits() const { return projection_.size(); }
+
+  /// Different models that fulfil the parities: all, or `most` of them. Which these are and in which order
+  /// they come depends on the clauses and the parities alone. `found`, if any, says how many there are by
+  /// now. Throws Interrupted.
+  std::vector<BitModel> find(std::span<const XorConstraint> parities, std::size_t most,
+                             const StopSignal& stop, std::atomic<std::uint64_t>* found = nullptr) const;
+
+ private:
+  std::vector<int> literals_;      // of all clauses
+  std::vector<std::size_t> ends_;  // of each clause among them
+  std::vector<int> projection_;
+  int variables_ = 0;
+};
+
+}  // namespace solitaire

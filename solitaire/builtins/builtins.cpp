@@ -1,0 +1,431 @@
+// The table of builtins and what they do, in the order of the manual.
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "solitaire/builtins/placing.h"
+#include "solitaire/run/evaluation.h"
+
+namespace solitaire {
+namespace {
+
+using Call = const BuiltinCall&;
+
+Span argument_span(Call call, std::size_t number) {
+  const auto& arguments = call.site.arguments;
+  const bool by_position = number < arguments.size() && arguments[number].name.empty();
+  return by_position ? arguments[number].value->span : call.site.span;
+}
+
+// ---- choices
+
+/// The step of a range, an int from 1.
+Value checked_step(Evaluator& evaluator, Call call) {
+  const Span span = argument_span(call, 2);
+  const std::string message = "the step of a range is an int from 1, not {}";
+  return evaluator.each_shape(call.arguments[2], [&](const Value& step) {
+    if (!step.has_type(Type::kInt))
+      evaluator.program_error(span, fmt::format(fmt::runtime(message), describe(step)));
+    evaluator.program_error_if(evaluator.compare(BinaryOp::kLess, step, std::int64_t{1}, span), span,
+                               fmt::format(fmt::runtime(message), to_text(step)));
+    return step;
+  });
+}
+
+Value range(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  return evaluator.each_shape(call.arguments[0], [&](const Value& lo) {
+    return evaluator.each_shape(call.arguments[1], [&](const Value& hi) {
+      if (!lo.has_type(Type::kInt) || !hi.has_type(Type::kInt)) {
+        evaluator.program_error(
+            span, fmt::format("'range' chooses an int between two ints, here are {} and {}", describe(lo),
+                              describe(hi)));
+      }
+      const Value step = given(call.arguments[2]) ? checked_step(evaluator, call) : std::int64_t{1};
+      return evaluator.decide(call.site, lo, hi, step, ChoiceKind::kInt);
+    });
+  });
+}
+
+Value flip(Evaluator& evaluator, Call call) {
+  const Value side =
+      evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, std::int64_t{1}, ChoiceKind::kBool);
+  return evaluator.equal(side, std::int64_t{1});
+}
+
+Value choose(Evaluator& evaluator, Call call) {
+  const Value& list = call.arguments[0];
+  // One choice for all lengths that the list can have, so that it is the same choice whatever they are.
+  const Value last = evaluator.with_items(
+      list, "choose", argument_span(call, 0),
+      [](const std::vector<Value>& items) { return Value(static_cast<std::int64_t>(items.size()) - 1); });
+  const Value index = evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, ChoiceKind::kIndex);
+  return evaluator.element(list, index, call.site.span);
+}
+
+Value assert_(Evaluator& evaluator, Call call) {
+  std::string message;
+  if (given(call.arguments[1])) {
+    const String* text = call.arguments[1].object<String>();
+    message = text != nullptr ? text->text : to_text(call.arguments[1]);
+  }
+  const NodeId condition = evaluator.condition(call.arguments[0], argument_span(call, 0));
+  evaluator.require(condition, ConstraintKind::kAssert, argument_span(call, 0), message);
+  return Value::nil();
+}
+
+// ---- wishes
+
+Value wish(Evaluator& evaluator, Call call, const char* name, bool less) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& amount) {
+    if (!amount.has_type(Type::kInt)) {
+      evaluator.program_error(argument_span(call, 0),
+                              fmt::format("'{}' needs an int, not {}", name, describe(amount)),
+                              amount.has_type(Type::kFloat) ? "floor(x) makes an int of a float" : "");
+    }
+    evaluator.wish(less ? amount : evaluator.negated(amount, call.site.span), call.site);
+    return Value::nil();
+  });
+}
+
+Value minimize(Evaluator& evaluator, Call call) { return wish(evaluator, call, "minimize", true); }
+Value maximize(Evaluator& evaluator, Call call) { return wish(evaluator, call, "maximize", false); }
+
+Value prefer(Evaluator& evaluator, Call call) {
+  const Value holds =
+      value_of(evaluator.graph(), evaluator.condition(call.arguments[0], argument_span(call, 0)));
+  const Value weight = given(call.arguments[1]) ? call.arguments[1] : Value(std::int64_t{1});
+  const Span span = argument_span(call, 1);
+  return evaluator.each_shape(weight, [&](const Value& amount) {
+    const std::string message = "the weight of 'prefer' is an int from 0, not ";
+    if (!amount.has_type(Type::kInt)) evaluator.program_error(span, message + describe(amount));
+    evaluator.program_error_if(evaluator.compare(BinaryOp::kLess, amount, std::int64_t{0}, span), span,
+                               message + to_text(amount));
+    const NodeId condition = evaluator.condition(holds, span);
+    evaluator.wish(merge(evaluator.graph(), condition, std::int64_t{0}, amount), call.site);
+    return Value::nil();
+  });
+}
+
+// ---- numbers
+
+Value extreme(Evaluator& evaluator, Call call, Op op) {
+  const Span span = call.site.span;
+  const auto fold = [&](const std::vector<Value>& items) -> Value {
+    if (items.empty()) evaluator.reject(ConstraintKind::kNotEmpty, span);
+    Value best = items.front();
+    for (std::size_t i = 1; i < items.size(); ++i) best = evaluator.pick(op, best, items[i], span);
+    return best;
+  };
+  if (call.arguments.size() > 1) return fold({call.arguments.begin(), call.arguments.end()});
+  return evaluator.with_items(call.arguments[0], operation(op).name.data(), span, fold);
+}
+
+Value minimum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMin); }
+Value maximum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMax); }
+
+Value absolute(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
+    if (!x.is_number())
+      evaluator.program_error(span, fmt::format("'abs' needs a number, not {}", describe(x)));
+    if (x.has_type(Type::kInt)) return evaluator.unary(Op::kAbs, x, span);
+    return evaluator.pick(Op::kMax, x, evaluator.negated(x, span), span);
+  });
+}
+
+Value modulo(Evaluator& evaluator, Call call) {
+  return evaluator.arithmetic(BinaryOp::kModulo, call.arguments[0], call.arguments[1], call.site.span);
+}
+
+Value float_function(Evaluator& evaluator, Call call, Op op) {
+  const Span span = call.site.span;
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
+    if (!x.is_number())
+      evaluator.program_error(span,
+                              fmt::format("'{}' needs a number, not {}", operation(op).name, describe(x)));
+    if (op == Op::kSqrt && x.is<Symbol>()) {
+      evaluator.program_error_if(evaluator.compare(BinaryOp::kLess, x, std::int64_t{0}, span), span,
+                                 "'sqrt' of a negative number has no value");
+    }
+    return evaluator.unary(op, evaluator.to_float(x, span), span);
+  });
+}
+
+Value square_root(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kSqrt); }
+Value sine(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kSin); }
+Value cosine(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kCos); }
+
+Value floor_of(Evaluator& evaluator, Call call) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
+    if (x.has_type(Type::kInt)) return x;
+    if (!x.is_number())
+      evaluator.program_error(call.site.span, fmt::format("'floor' needs a number, not {}", describe(x)));
+    return evaluator.unary(Op::kFloor, x, call.site.span);
+  });
+}
+
+// ---- conditions
+
+/// Both values are there already; the condition only selects.
+Value cond(Evaluator& evaluator, Call call) {
+  const NodeId condition = evaluator.condition(call.arguments[0], argument_span(call, 0));
+  return merge(evaluator.graph(), condition, call.arguments[1], call.arguments[2]);
+}
+
+/// Joins conditions that are given in a list or one by one.
+template <class Join>
+Value fold_conditions(Evaluator& evaluator, Call call, const char* name, bool neutral, Join join) {
+  const auto fold = [&](const std::vector<Value>& items) -> Value {
+    Value result = neutral;
+    for (const Value& item : items) {
+      result = join(result, value_of(evaluator.graph(), evaluator.condition(item, call.site.span)));
+    }
+    return result;
+  };
+  if (call.arguments.size() > 1) return fold({call.arguments.begin(), call.arguments.end()});
+  return evaluator.with_items(call.arguments[0], name, argument_span(call, 0), fold);
+}
+
+Value all(Evaluator& evaluator, Call call) {
+  return fold_conditions(evaluator, call, "all", true,
+                         [&](const Value& a, const Value& b) { return evaluator.both(a, b); });
+}
+
+Value any(Evaluator& evaluator, Call call) {
+  return fold_conditions(evaluator, call, "any", false,
+                         [&](const Value& a, const Value& b) { return evaluator.either(a, b); });
+}
+
+// ---- lists
+
+Value length(Evaluator& evaluator, Call call) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
+    if (const String* text = x.object<String>()) {
+      evaluator.check_known(x);
+      return static_cast<std::int64_t>(count_characters(text->text));
+    }
+    if (x.as_list() == nullptr)
+      evaluator.program_error(call.site.span, fmt::format("'length' needs a list, not {}", describe(x)));
+    return static_cast<std::int64_t>(x.as_list()->items.size());
+  });
+}
+
+Value sum(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "sum", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                Value total = std::int64_t{0};
+                                for (const Value& item : items)
+                                  total = evaluator.arithmetic(BinaryOp::kAdd, total, item, call.site.span);
+                                return total;
+                              });
+}
+
+Value contains(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "contains", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                Value found = false;
+                                for (const Value& item : items)
+                                  found = evaluator.either(found, evaluator.equal(item, call.arguments[1]));
+                                return found;
+                              });
+}
+
+Value distinct(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(
+      call.arguments[0], "distinct", argument_span(call, 0), [&](const std::vector<Value>& items) {
+        evaluator.step(call.site.span, items.size() * items.size() / 2);
+        Value differ = true;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+          for (std::size_t j = i + 1; j < items.size(); ++j) {
+            differ = evaluator.both(differ, evaluator.invert(evaluator.equal(items[i], items[j])));
+          }
+        }
+        return differ;
+      });
+}
+
+Value pairs(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "pairs", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                evaluator.step(call.site.span, items.size() * items.size() / 2);
+                                std::vector<Value> made;
+                                for (std::size_t i = 0; i < items.size(); ++i) {
+                                  for (std::size_t j = i + 1; j < items.size(); ++j) {
+                                    made.push_back(evaluator.make_list({items[i], items[j]}, call.site.span));
+                                  }
+                                }
+                                return evaluator.make_list(std::move(made), call.site.span);
+                              });
+}
+
+Value zip(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(
+      call.arguments[0], "zip", argument_span(call, 0), [&](const std::vector<Value>& a) {
+        return evaluator.with_items(call.arguments[1], "zip", argument_span(call, 1),
+                                    [&](const std::vector<Value>& b) {
+                                      std::vector<Value> made;
+                                      for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+                                        made.push_back(evaluator.make_list({a[i], b[i]}, call.site.span));
+                                      }
+                                      return evaluator.make_list(std::move(made), call.site.span);
+                                    });
+      });
+}
+
+Value reverse(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "reverse", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                return evaluator.make_list({items.rbegin(), items.rend()}, call.site.span);
+                              });
+}
+
+Value cons(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[1], "cons", argument_span(call, 1),
+                              [&](const std::vector<Value>& items) {
+                                std::vector<Value> made{call.arguments[0]};
+                                made.insert(made.end(), items.begin(), items.end());
+                                evaluator.step(call.site.span, items.size());
+                                return evaluator.make_list(std::move(made), call.site.span);
+                              });
+}
+
+Value car(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "car", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
+                                return items.front();
+                              });
+}
+
+Value cdr(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "cdr", argument_span(call, 0),
+                              [&](const std::vector<Value>& items) {
+                                if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
+                                evaluator.step(call.site.span, items.size());
+                                return evaluator.make_list({items.begin() + 1, items.end()}, call.site.span);
+                              });
+}
+
+Value null(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "null", argument_span(call, 0),
+                              [](const std::vector<Value>& items) { return Value(items.empty()); });
+}
+
+// ---- text
+
+/// How many values a chosen int may have to be made into text.
+constexpr std::int64_t kMostChosenTexts = 256;
+
+Value str(Evaluator& evaluator, Call call) {
+  return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
+    if (x.object<String>() != nullptr) return x;
+    const Symbol* symbol = x.get<Symbol>();
+    if (symbol == nullptr && is_known(x)) return Value::string(to_text(x));
+    if (symbol == nullptr) return evaluator.opaque_string(call.site.span);
+    Graph& graph = evaluator.graph();
+    if (symbol->type == Type::kBool)
+      return merge(graph, symbol->node, Value::string("true"), Value::string("false"));
+    const Interval interval = graph.node(symbol->node).interval;
+    if (symbol->type == Type::kFloat || interval.hi - interval.lo >= kMostChosenTexts) {
+      return evaluator.opaque_string(call.site.span);
+    }
+    Value text = Value::string(std::to_string(interval.hi));
+    for (std::int64_t i = interval.hi - 1; i >= interval.lo; --i) {
+      const NodeId is = graph.apply(Op::kEqInt, {symbol->node, graph.constant(i)});
+      text = merge(graph, is, Value::string(std::to_string(i)), text);
+    }
+    return text;
+  });
+}
+
+Value print(Evaluator& evaluator, Call call) {
+  evaluator.leave_to_run();
+  if (evaluator.symbolic()) return Value::nil();
+  std::string line;
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const String* text = call.arguments[i].object<String>();
+    line += (i == 0 ? "" : " ") + (text != nullptr ? text->text : to_text(call.arguments[i]));
+  }
+  evaluator.execution().printed.push_back(std::move(line));
+  return Value::nil();
+}
+
+// ---- scenes
+
+Value place(Evaluator& evaluator, Call call) {
+  evaluator.place(read_placement(evaluator, call), call);
+  return Value::nil();
+}
+
+Value unit(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  const char* message = "a unit is a positive number of metres";
+  if (evaluator.guarded() || !is_known(call.arguments[0])) evaluator.leave_to_run();
+  return evaluator.each_shape(call.arguments[0], [&](const Value& metres) {
+    if (!metres.is_number()) evaluator.program_error(span, message);
+    evaluator.program_error_if(evaluator.compare(BinaryOp::kLessEqual, metres, std::int64_t{0}, span), span,
+                               message);
+    if (const auto* i = metres.get<std::int64_t>()) evaluator.execution().unit = static_cast<double>(*i);
+    if (const auto* d = metres.get<double>()) evaluator.execution().unit = *d;
+    return Value::nil();
+  });
+}
+
+std::vector<Builtin> make_table() {
+  constexpr bool kVariadic = true;
+  constexpr bool kExtras = true;
+  constexpr bool kChoice = true;
+  return {
+      {"range", {"lo", "hi", "step"}, 2, false, false, kChoice, range},
+      {"flip", {}, 0, false, false, kChoice, flip},
+      {"choose", {"list"}, 1, false, false, kChoice, choose},
+      {"assert", {"condition", "message"}, 1, false, false, false, assert_},
+      {"prefer", {"condition", "weight"}, 1, false, false, false, prefer},
+      {"minimize", {"x"}, 1, false, false, false, minimize},
+      {"maximize", {"x"}, 1, false, false, false, maximize},
+      {"min", {"list"}, 1, kVariadic, false, false, minimum},
+      {"max", {"list"}, 1, kVariadic, false, false, maximum},
+      {"abs", {"x"}, 1, false, false, false, absolute},
+      {"mod", {"a", "b"}, 2, false, false, false, modulo},
+      {"floor", {"x"}, 1, false, false, false, floor_of},
+      {"sqrt", {"x"}, 1, false, false, false, square_root},
+      {"sin", {"x"}, 1, false, false, false, sine},
+      {"cos", {"x"}, 1, false, false, false, cosine},
+      {"cond", {"condition", "then", "otherwise"}, 3, false, false, false, cond},
+      {"all", {"conditions"}, 1, kVariadic, false, false, all},
+      {"any", {"conditions"}, 1, kVariadic, false, false, any},
+      {"length", {"list"}, 1, false, false, false, length},
+      {"sum", {"list"}, 1, false, false, false, sum},
+      {"contains", {"list", "value"}, 2, false, false, false, contains},
+      {"distinct", {"list"}, 1, false, false, false, distinct},
+      {"pairs", {"list"}, 1, false, false, false, pairs},
+      {"zip", {"a", "b"}, 2, false, false, false, zip},
+      {"reverse", {"list"}, 1, false, false, false, reverse},
+      {"cons", {"first", "rest"}, 2, false, false, false, cons},
+      {"car", {"list"}, 1, false, false, false, car},
+      {"cdr", {"list"}, 1, false, false, false, cdr},
+      {"null", {"list"}, 1, false, false, false, null},
+      {"str", {"value"}, 1, false, false, false, str},
+      {"print", {}, 0, kVariadic, false, false, print},
+      {"place", {"asset", "at", "size", "turn", "angle", "color", "name"}, 0, false, kExtras, false, place},
+      {"unit", {"metres"}, 1, false, false, false, unit},
+  };
+}
+
+}  // namespace
+
+const std::vector<Builtin>& builtins() {
+  static const std::vector<Builtin> table = make_table();
+  return table;
+}
+
+std::optional<std::uint32_t> find_builtin(std::string_view name) {
+  const auto& table = builtins();
+  const auto it =
+      std::find_if(table.begin(), table.end(), [&](const Builtin& builtin) { return builtin.name == name; });
+  if (it == table.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(it - table.begin());
+}
+
+}  // namespace solitaire

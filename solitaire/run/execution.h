@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solitaire/value/value.h"
+#include "tracegraph/trace.h"
+
+namespace solitaire {
+
+/// One answered choice of an execution, in readable form.
+struct AnsweredChoice {
+  using Kind = ChoiceKind;
+  std::string address;  // e.g. "wing[2]/room[0]/make_table/rot"
+  Kind kind = Kind::kInt;
+  std::int64_t value = 0;  // kBool: 0 or 1; kIndex: the position in the list given to choose(), from 0
+};
+
+/// A thing that `place` put into the scene, in the program's own coordinates and units:
+/// x runs right, y into the depth, z up.
+struct Placement {
+  std::string asset;            // a bundled asset's name, a path to a .glb/.gltf, or "" for a plain box
+  std::array<double, 3> at{};   // the lowest corner of the object's box after turning
+  std::vector<double> size;     // the box before turning: none (the asset's own), [w, d] or [w, d, h]
+  int turn = 0;                 // quarter turns counter-clockwise seen from above, 0..3
+  std::optional<double> angle;  // degrees counter-clockwise instead of `turn`
+  std::optional<std::array<double, 3>> color;  // red, green, blue, each 0..1
+  std::string name;                            // as the program gave it, or ""
+  std::string address;                         // of this place call; unique within an execution
+  std::vector<std::string> calls;       // the calls that led to it, outermost first: "wing[2]", "room[0]"
+  std::vector<AnsweredChoice> choices;  // the choices that decide what it is and where it stands
+  std::vector<std::pair<std::string, std::string>>
+      extras;          // further named arguments: name, value as JSON text
+  std::string source;  // "file.sol:12:3", the place call
+};
+
+/// Why an execution was ruled out.
+struct Rejection {
+  ConstraintKind requirement = ConstraintKind::kAssert;
+  Span span;  // as of a TraceAssert
+  Span whole;
+  std::string address;
+  std::string message;               // the author's, or ""
+  std::vector<std::string> choices;  // of a broken assert in a solution: the choices it depends on
+};
+
+/// What a wish of the program costs an execution: prefer, minimize and maximize.
+struct WishCost {
+  std::int64_t cost = 0;
+  Span span;
+  std::string address;
+};
+
+/// A choice that an execution met.
+struct MetChoice {
+  AddressId address;
+  ChoiceDomain domain;
+  std::int64_t value = 0;
+};
+
+/// What one run with answered choices came to.
+struct Execution {
+  std::optional<Rejection> rejection;  // nothing in a solution
+  std::vector<Rejection> broken;       // asserts past which it went on; see Limits::keep_going
+  std::vector<WishCost> wishes;        // in the order in which they were met
+  std::int64_t cost = 0;               // the sum of theirs
+  Value value;                         // what the program returned
+  std::vector<MetChoice> choices;      // in the order in which they were met
+  std::vector<Placement> placements;
+  double unit = 1;                   // metres in one unit of the program
+  std::vector<std::string> printed;  // lines
+};
+
+}  // namespace solitaire

@@ -1,0 +1,76 @@
+// Calls that exclusive branches share.
+#include <algorithm>
+
+#include "solitaire/run/summary.h"
+
+namespace solitaire {
+
+Value Evaluator::call_shared(const Ref<Closure>& closure, const CallExpr& site,
+                             std::vector<Value> arguments) {
+  AddressId address = addresses_.site(activation_address(*current_), site.site.label);
+  for (const std::uint32_t number : current_->turns) address = addresses_.turn(address, number);
+  if (const Summary* known = find_summary(address, *closure, arguments)) return use_summary(*known);
+
+  auto summary = std::make_unique<Summary>();
+  summary->closure = closure;
+  summary->arguments = arguments;
+  summary->isolated = isolated_ > 0;
+  summary->segment = recorder_->begin_segment();
+  leave_to_run();  // in which order an execution meets the choices of segments
+  Segment segment{frames_made_, {}, {}};
+  segments_.push_back(&segment);
+  const Checkpoint start = checkpoint();
+  const std::size_t shown_facts = path_.facts.hide();
+  path_.enter_detached();
+  try {
+    summary->value = call_closure(closure, site, std::move(arguments));
+    summary->out = path_.local();
+  } catch (const PathEnd&) {
+    summary->out = kFalse;
+  }
+  unwind(start);
+  path_.facts.show_from(shown_facts);
+  segments_.pop_back();
+  recorder_->end_segment();
+  summary->reads = std::move(segment.reads);
+  summaries_[address].push_back(std::move(summary));
+  return use_summary(*summaries_[address].back());
+}
+
+const Evaluator::Summary* Evaluator::find_summary(AddressId address, const Closure& closure,
+                                                  const std::vector<Value>& arguments) {
+  const auto it = summaries_.find(address);
+  if (it == summaries_.end()) return nullptr;
+  for (const auto& summary : it->second) {
+    const bool same_callee =
+        summary->closure->function == closure.function && summary->closure->outer == closure.outer;
+    if (same_callee && summary->isolated == (isolated_ > 0) &&
+        std::equal(arguments.begin(), arguments.end(), summary->arguments.begin(), same) &&
+        std::all_of(summary->reads.begin(), summary->reads.end(), [](const Summary::Read& read) {
+          return same(read.frame->slots[read.slot], read.value);
+        })) {
+      return summary.get();
+    }
+  }
+  return nullptr;
+}
+
+Value Evaluator::use_summary(const Summary& summary) {
+  recorder_->enter_segment(summary.segment, path_.guard());
+  for (const Summary::Read& read : summary.reads) note_read(*read.frame, read.slot, read.value);
+  if (summary.out == kFalse) end_path();
+  if (summary.out != kTrue) {
+    ++path_.losses.ends;
+    path_.narrow(summary.out);
+  }
+  return summary.value;
+}
+
+void Evaluator::note_read(const Frame& frame, Slot slot, const Value& value) {
+  if (segments_.empty() || frame.serial >= segments_.back()->first_frame) return;
+  Segment& segment = *segments_.back();
+  if (!segment.seen.emplace(&frame, slot).second) return;
+  segment.reads.push_back({Ref<const Frame>(&frame), slot, value});
+}
+
+}  // namespace solitaire

@@ -1,0 +1,330 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/span.h"
+
+// The syntax tree. Every node has its exact span; comments are kept beside the tree. What the resolver finds
+// out about a node (slots, labels) stands in the node's last members, each named in resolver.h.
+
+namespace solitaire {
+
+struct Expr;
+struct Stmt;
+struct Function;
+using ExprPtr = std::unique_ptr<Expr>;
+using StmtPtr = std::unique_ptr<Stmt>;
+
+/// A place for a variable's value in its function's frame.
+using Slot = std::uint32_t;
+
+/// What a name stands for.
+struct Binding {
+  enum class Kind : std::uint8_t { kUnresolved, kLocal, kOuter, kModule, kBuiltin };
+  Kind kind = Kind::kUnresolved;
+  std::uint32_t level = 0;  // kOuter: how many functions out; kModule: which module; kBuiltin: which builtin
+  Slot slot = 0;
+};
+
+/// How a call, choice or branch site adds to addresses. Sites of one function that can happen in the same
+/// execution have different labels; sites in exclusive branches share theirs.
+struct Site {
+  std::string
+      label;  // "" for a branch of expressions so plain that nothing is gained by not looking into them
+  bool shared = false;  // whether an exclusive branch has a site of the same label
+};
+
+enum class ExprKind : std::uint8_t {
+  kLiteral,
+  kName,
+  kList,
+  kUnary,
+  kBinary,
+  kLogical,
+  kCall,
+  kIndex,
+  kField,
+  kIf,
+  kFunction,
+  kComprehension,
+  kError
+};
+
+struct Expr {
+  Expr(ExprKind which, Span where) : kind(which), span(where) {}
+  virtual ~Expr() = default;
+  Expr(const Expr&) = delete;
+  Expr& operator=(const Expr&) = delete;
+
+  ExprKind kind;
+  Span span;
+  int height = 1;  // of the tree below; bounded, so that walking it cannot exhaust the stack
+};
+
+struct LiteralExpr : Expr {
+  using Constant = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+  LiteralExpr(Span where, Constant constant) : Expr(ExprKind::kLiteral, where), value(std::move(constant)) {}
+  Constant value;  // monostate is nil
+};
+
+struct NameExpr : Expr {
+  NameExpr(Span where, std::string text) : Expr(ExprKind::kName, where), name(std::move(text)) {}
+  std::string name;
+  Binding binding;
+};
+
+struct ListExpr : Expr {
+  explicit ListExpr(Span where) : Expr(ExprKind::kList, where) {}
+  std::vector<ExprPtr> items;
+};
+
+enum class UnaryOp : std::uint8_t { kNegate, kNot };
+
+struct UnaryExpr : Expr {
+  UnaryExpr(Span where, UnaryOp which) : Expr(ExprKind::kUnary, where), op(which) {}
+  UnaryOp op;
+  ExprPtr operand;
+};
+
+enum class BinaryOp : std::uint8_t {
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kModulo,
+  kEqual,
+  kNotEqual,
+  kLess,
+  kLessEqual,
+  kGreater,
+  kGreaterEqual,
+  kUpTo
+};
+
+struct BinaryExpr : Expr {
+  BinaryExpr(Span where, BinaryOp which, Span operator_span)
+      : Expr(ExprKind::kBinary, where), op(which), op_span(operator_span) {}
+  BinaryOp op;
+  Span op_span;
+  ExprPtr left, right;
+};
+
+/// `and`, `or`: the right side runs only if the left one does not settle the matter.
+struct LogicalExpr : Expr {
+  LogicalExpr(Span where, bool conjunction, Span operator_span)
+      : Expr(ExprKind::kLogical, where), is_and(conjunction), op_span(operator_span) {}
+  bool is_and;
+  Span op_span;
+  ExprPtr left, right;
+  Site site;
+  std::vector<Slot> assigned;  // as of a comprehension, in its right side
+};
+
+struct Argument {
+  std::string name;  // "" if given by position
+  Span name_span;
+  ExprPtr value;
+};
+
+struct CallExpr : Expr {
+  explicit CallExpr(Span where) : Expr(ExprKind::kCall, where) {}
+  ExprPtr callee;
+  std::vector<Argument> arguments;
+  Site site;
+};
+
+struct IndexExpr : Expr {
+  explicit IndexExpr(Span where) : Expr(ExprKind::kIndex, where) {}
+  ExprPtr object, index;
+};
+
+struct FieldExpr : Expr {
+  explicit FieldExpr(Span where) : Expr(ExprKind::kField, where) {}
+  ExprPtr object;
+  std::string field;
+  Span field_span;
+  std::uint32_t number = 0;  // of the name, see Program::field_names
+};
+
+struct IfExpr : Expr {
+  explicit IfExpr(Span where) : Expr(ExprKind::kIf, where) {}
+  ExprPtr condition, then_value, else_value;
+  Site site;
+  std::vector<Slot> assigned;  // as of a comprehension, in either side
+};
+
+struct FunctionExpr : Expr {
+  explicit FunctionExpr(Span where);
+  ~FunctionExpr() override;
+  std::unique_ptr<Function> function;
+};
+
+/// A variable that a for or a comprehension gives its values to.
+struct LoopVariable {
+  std::string name;
+  Span span;
+  Slot slot = 0;
+};
+
+/// `for x, y in list if condition if condition`
+struct ComprehensionClause {
+  std::vector<LoopVariable> variables;
+  ExprPtr list;
+  std::vector<ExprPtr> conditions;
+  Span span;
+  Site site;                          // of the loop, for turns of a length that is not decided
+  std::vector<Site> condition_sites;  // one for each condition
+};
+
+struct ComprehensionExpr : Expr {
+  explicit ComprehensionExpr(Span where) : Expr(ExprKind::kComprehension, where) {}
+  ExprPtr element;
+  std::vector<ComprehensionClause> clauses;  // at least one
+  std::vector<Slot> assigned;                // its variables that inner functions read, who may do so later
+};
+
+/// Stands where an expression could not be read; only in trees that come with errors.
+struct ErrorExpr : Expr {
+  explicit ErrorExpr(Span where) : Expr(ExprKind::kError, where) {}
+};
+
+enum class StmtKind : std::uint8_t {
+  kAssign,
+  kExpr,
+  kIf,
+  kFor,
+  kWhile,
+  kBreak,
+  kContinue,
+  kReturn,
+  kBlock,
+  kRecord,
+  kParam,
+  kImport,
+  kError
+};
+
+struct Stmt {
+  Stmt(StmtKind which, Span where) : kind(which), span(where) {}
+  virtual ~Stmt() = default;
+  Stmt(const Stmt&) = delete;
+  Stmt& operator=(const Stmt&) = delete;
+
+  StmtKind kind;
+  Span span;
+};
+
+/// `a, b = x, y;`, `t.x += 1;` and, as declares_function, `fun f() { ... }`.
+struct AssignStmt : Stmt {
+  explicit AssignStmt(Span where) : Stmt(StmtKind::kAssign, where) {}
+  std::vector<ExprPtr> targets;  // names, indices and fields of names
+  std::optional<BinaryOp> op;    // of += and the like; then there is one target and one value
+  Span op_span;
+  std::vector<ExprPtr> values;  // as many as targets, or one
+  bool declares_function = false;
+};
+
+struct ExprStmt : Stmt {
+  explicit ExprStmt(Span where) : Stmt(StmtKind::kExpr, where) {}
+  ExprPtr value;
+};
+
+struct IfStmt : Stmt {
+  explicit IfStmt(Span where) : Stmt(StmtKind::kIf, where) {}
+  ExprPtr condition;
+  StmtPtr then_body, else_body;  // else_body may be null
+  Site site;
+  std::vector<Slot> assigned;  // by either side
+};
+
+struct ForStmt : Stmt {
+  explicit ForStmt(Span where) : Stmt(StmtKind::kFor, where) {}
+  std::vector<LoopVariable> variables;
+  ExprPtr list;
+  StmtPtr body;
+  Site site;
+  std::vector<Slot> assigned;
+};
+
+struct WhileStmt : Stmt {
+  explicit WhileStmt(Span where) : Stmt(StmtKind::kWhile, where) {}
+  ExprPtr condition;
+  StmtPtr body;
+  Site site;
+  std::vector<Slot> assigned;
+};
+
+struct JumpStmt : Stmt {
+  using Stmt::Stmt;  // kBreak or kContinue
+};
+
+struct ReturnStmt : Stmt {
+  explicit ReturnStmt(Span where) : Stmt(StmtKind::kReturn, where) {}
+  std::vector<ExprPtr> values;
+};
+
+struct BlockStmt : Stmt {
+  explicit BlockStmt(Span where) : Stmt(StmtKind::kBlock, where) {}
+  std::vector<StmtPtr> statements;
+};
+
+struct Parameter {
+  std::string name;
+  Span span;
+  ExprPtr default_value;  // null if the argument must be given
+};
+
+/// A function, or the top level of a file.
+struct Function {
+  std::string name;  // "" if it never got one
+  Span span;
+  std::vector<Parameter> parameters;  // the first slots of the frame, in this order
+  std::unique_ptr<BlockStmt> body;
+
+  std::vector<std::string> slots;  // the variables' names
+  bool captured = false;           // whether an inner function can read its variables after it returned
+};
+
+inline FunctionExpr::FunctionExpr(Span where) : Expr(ExprKind::kFunction, where) {}
+inline FunctionExpr::~FunctionExpr() = default;
+
+/// `record Obj(kind, x, y = 0);`: its constructor's parameters are its fields.
+struct RecordStmt : Stmt {
+  explicit RecordStmt(Span where) : Stmt(StmtKind::kRecord, where) {}
+  std::string name;
+  Span name_span;
+  std::vector<Parameter> fields;
+  std::vector<std::uint32_t> numbers;  // of the fields' names, see Program::field_names
+  Slot slot = 0;
+};
+
+struct ParamStmt : Stmt {
+  explicit ParamStmt(Span where) : Stmt(StmtKind::kParam, where) {}
+  std::string name;
+  Span name_span;
+  ExprPtr value;
+  Slot slot = 0;
+};
+
+struct ImportStmt : Stmt {
+  explicit ImportStmt(Span where) : Stmt(StmtKind::kImport, where) {}
+  std::string path;
+  Span path_span;
+  std::uint32_t module = 0;
+};
+
+struct ErrorStmt : Stmt {
+  explicit ErrorStmt(Span where) : Stmt(StmtKind::kError, where) {}
+};
+
+/// One file: its top level as a function without parameters, and its comments.
+struct SyntaxTree {
+  std::unique_ptr<Function> top;
+  std::vector<Span> comments;
+};
+
+}  // namespace solitaire

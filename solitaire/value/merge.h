@@ -1,0 +1,20 @@
+#pragma once
+#include "solitaire/value/value.h"
+
+namespace solitaire {
+
+/// What a variable holds where two paths join: `a` if the condition holds, else `b`.
+///
+/// Merging goes by shape. Values that are the same stay as they are; bools, ints and floats of one type
+/// become a phi node; lists of equal length and records of one kind merge member by member; whatever differs
+/// in shape becomes a union of guarded alternatives, at most one for each shape. (After Rosette; the
+/// dissertation's Phi of abstract frame values, section 4.3.2.) So n optional list elements give n + 1
+/// alternatives, and not 2^n.
+Value merge(Graph& graph, NodeId condition, const Value& a, const Value& b);
+
+/// The node of a bool, int or float, constant or not.
+NodeId node_of(Graph& graph, const Value& value);
+/// The value of a node: a constant if it is one, else a Symbol.
+Value value_of(const Graph& graph, NodeId node);
+
+}  // namespace solitaire

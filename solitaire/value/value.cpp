@@ -1,0 +1,272 @@
+#include "solitaire/value/value.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace solitaire {
+namespace {
+
+std::string function_name(const Closure& closure) {
+  return closure.function->name.empty() ? "fun" : "fun " + closure.function->name;
+}
+
+/// The shortest text that reads back as the same float, and as a float.
+std::string float_text(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// Whether a JSON string of the text is the text between quotes.
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
+/// By hand where nothing has to be known about JSON: results are written, and compared, in great numbers.
+void append_json(std::string& json, const Value& value) {
+  const auto members = [&](char open, std::size_t count, char close, auto append) {
+    json += open;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0) json += ',';
+      append(i);
+    }
+    json += close;
+  };
+  switch (value.kind()) {
+    case Value::Kind::kUnset:
+    case Value::Kind::kNil:
+      json += "null";
+      break;
+    case Value::Kind::kBool:
+      json += *value.get<bool>() ? "true" : "false";
+      break;
+    case Value::Kind::kInt:
+      json += std::to_string(*value.get<std::int64_t>());
+      break;
+    case Value::Kind::kFloat:
+      json += dumped(*value.get<double>());
+      break;
+    case Value::Kind::kString:
+      json += json_string(value.object<String>()->text);
+      break;
+    case Value::Kind::kList: {
+      const auto& items = value.as_list()->items;
+      members('[', items.size(), ']', [&](std::size_t i) { append_json(json, items[i]); });
+      break;
+    }
+    case Value::Kind::kRecord: {
+      const Record& record = *value.object<Record>();
+      members('{', record.fields.size(), '}', [&](std::size_t i) {
+        json += json_string(record.type->fields[i].name);
+        json += ':';
+        append_json(json, record.fields[i]);
+      });
+      break;
+    }
+    default:
+      json += json_string(to_text(value));
+  }
+}
+
+}  // namespace
+
+namespace {
+
+std::uint32_t nesting_of(const std::vector<Value>& members) {
+  std::uint32_t deepest = 0;
+  for (const Value& member : members) deepest = std::max(deepest, nesting(member));
+  return deepest + 1;
+}
+
+bool same_all(const std::vector<Value>& a, const std::vector<Value>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+}  // namespace
+
+List::List(std::vector<Value> values) : items(std::move(values)), nesting(nesting_of(items)) {}
+Record::Record(const RecordStmt* declaration, std::vector<Value> values)
+    : type(declaration), fields(std::move(values)), nesting(nesting_of(fields)) {}
+
+std::uint32_t nesting(const Value& value) {
+  if (const List* list = value.as_list()) return list->nesting;
+  if (const Record* record = value.object<Record>()) return record->nesting;
+  if (const Union* several = value.as_union()) {
+    std::uint32_t deepest = 0;
+    for (const auto& alternative : several->alternatives)
+      deepest = std::max(deepest, nesting(alternative.value));
+    return deepest;
+  }
+  return 0;
+}
+
+bool same(const Value& a, const Value& b) {
+  if (a.identical(b)) return true;
+  if (a.kind() != b.kind()) return false;
+  if (const String* text = a.object<String>()) {
+    const String* other = b.object<String>();
+    return text->text == other->text && text->opaque == other->opaque;
+  }
+  if (const List* list = a.as_list()) return same_all(list->items, b.as_list()->items);
+  if (const Record* record = a.object<Record>()) {
+    return record->type == b.object<Record>()->type && same_all(record->fields, b.object<Record>()->fields);
+  }
+  if (const Closure* closure = a.object<Closure>()) {
+    const Closure* other = b.object<Closure>();
+    return closure->function == other->function && closure->outer == other->outer;
+  }
+  if (const RecordType* type = a.object<RecordType>())
+    return type->declaration == b.object<RecordType>()->declaration;
+  if (const Union* several = a.as_union()) {
+    const auto& x = several->alternatives;
+    const auto& y = b.as_union()->alternatives;
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& p, const auto& q) {
+      return p.guard == q.guard && same(p.value, q.value);
+    });
+  }
+  return false;
+}
+
+bool is_known(const Value& value) {
+  if (const String* text = value.object<String>()) return !text->opaque;
+  if (const List* list = value.as_list())
+    return std::all_of(list->items.begin(), list->items.end(), is_known);
+  if (const Record* record = value.object<Record>())
+    return std::all_of(record->fields.begin(), record->fields.end(), is_known);
+  return !value.is<Symbol>() && value.as_union() == nullptr;
+}
+
+Value Value::string(std::string text) { return make_ref<String>(std::move(text)); }
+Value Value::list(std::vector<Value> items) { return make_ref<List>(std::move(items)); }
+
+bool Value::identical(const Value& other) const {
+  if (kind_ != other.kind_) return false;
+  switch (kind_) {
+    case Kind::kUnset:
+    case Kind::kNil:
+      return true;
+    case Kind::kBool:
+      return is_.b == other.is_.b;
+    case Kind::kInt:
+      return is_.i == other.is_.i;
+    case Kind::kFloat:
+      return is_.f == other.is_.f;
+    case Kind::kSymbol:
+      return is_.symbol == other.is_.symbol;
+    case Kind::kBuiltin:
+      return is_.builtin == other.is_.builtin;
+    default:
+      return is_.object == other.is_.object;
+  }
+}
+
+void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
+  if (const Symbol* symbol = value.get<Symbol>()) nodes.push_back(symbol->node);
+  if (const List* list = value.as_list()) {
+    for (const Value& item : list->items) collect_nodes(item, nodes);
+  }
+  if (const Record* record = value.object<Record>()) {
+    for (const Value& item : record->fields) collect_nodes(item, nodes);
+  }
+  if (const Union* several = value.as_union()) {
+    for (const auto& [guard, alternative] : several->alternatives) {
+      nodes.push_back(guard);
+      collect_nodes(alternative, nodes);
+    }
+  }
+}
+
+std::string describe(const Value& value) {
+  if (value.has_type(Type::kBool)) return "a bool";
+  if (value.has_type(Type::kInt)) return "an int";
+  if (value.has_type(Type::kFloat)) return "a float";
+  switch (value.kind()) {
+    case Value::Kind::kUnset:
+      return "nothing yet";
+    case Value::Kind::kNil:
+      return "nil";
+    case Value::Kind::kString:
+      return "a string";
+    case Value::Kind::kList:
+      return "a list";
+    case Value::Kind::kRecord:
+      return fmt::format("a record {}", value.object<Record>()->type->name);
+    case Value::Kind::kUnion:
+      return "one of several";
+    default:
+      return "a function";
+  }
+}
+
+std::string to_text(const Value& value) {
+  return to_text(value, [](NodeId) { return std::string("?"); });
+}
+
+std::string to_text(const Value& value, const NodeName& name) {
+  const auto joined = [&name](const std::vector<Value>& items) {
+    std::string text;
+    for (const Value& item : items) text += (text.empty() ? "" : ", ") + to_text(item, name);
+    return text;
+  };
+  switch (value.kind()) {
+    case Value::Kind::kUnset:
+      return "nothing yet";
+    case Value::Kind::kNil:
+      return "nil";
+    case Value::Kind::kBool:
+      return *value.get<bool>() ? "true" : "false";
+    case Value::Kind::kInt:
+      return std::to_string(*value.get<std::int64_t>());
+    case Value::Kind::kFloat:
+      return float_text(*value.get<double>());
+    case Value::Kind::kSymbol:
+      return name(value.get<Symbol>()->node);
+    case Value::Kind::kBuiltin:
+      return fmt::format("fun {}", (*value.get<Value::BuiltinRef>())->name);
+    case Value::Kind::kString:
+      return json_string(value.object<String>()->text);
+    case Value::Kind::kList:
+      return "[" + joined(value.as_list()->items) + "]";
+    case Value::Kind::kRecord: {
+      const Record& record = *value.object<Record>();
+      std::string text;
+      for (std::size_t i = 0; i < record.fields.size(); ++i) {
+        text += fmt::format("{}{}: {}", i == 0 ? "" : ", ", record.type->fields[i].name,
+                            to_text(record.fields[i], name));
+      }
+      return fmt::format("{}({})", record.type->name, text);
+    }
+    case Value::Kind::kClosure:
+      return function_name(*value.object<Closure>());
+    case Value::Kind::kRecordType:
+      return "record " + value.object<RecordType>()->declaration->name;
+    case Value::Kind::kUnion: {
+      std::string text;
+      for (const auto& [guard, alternative] : value.as_union()->alternatives) {
+        text += fmt::format("{}{} if {}", text.empty() ? "" : " | ", to_text(alternative, name), name(guard));
+      }
+      return "(" + text + ")";
+    }
+  }
+  return "";
+}
+
+std::string to_json(const Value& value) {
+  std::string json;
+  append_json(json, value);
+  return json;
+}
+
+std::string json_string(std::string_view text) {
+  if (!is_plain(text)) return dumped(text);
+  std::string quoted = "\"";
+  quoted += text;
+  return quoted += '"';
+}
+
+}  // namespace solitaire

@@ -1,0 +1,265 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solitaire/builtins/builtin.h"
+#include "solitaire/syntax/syntax.h"
+#include "solitaire/value/ref.h"
+#include "tracegraph/graph.h"
+
+namespace solitaire {
+
+/// A bool, int or float that depends on choices left open: a node of the trace graph.
+struct Symbol {
+  NodeId node;
+  Type type = Type::kBool;
+  friend bool operator==(Symbol, Symbol) = default;
+};
+
+struct String;
+struct List;
+struct Record;
+struct Closure;
+struct RecordType;
+struct Union;
+struct Frame;
+
+/// A value of the language. Lists and records are values too: a change copies what others share.
+///
+/// A kind and a word or two, and not a std::variant, since what programs do most is to copy values.
+class Value {
+ public:
+  /// What a variable is before it is assigned.
+  struct Unset {};
+  struct Nil {};
+  using BuiltinRef = const Builtin*;
+  /// The kinds from kString on share objects, which count their references.
+  enum class Kind : std::uint8_t {
+    kUnset,
+    kNil,
+    kBool,
+    kInt,
+    kFloat,
+    kSymbol,
+    kBuiltin,
+    kString,
+    kList,
+    kRecord,
+    kClosure,
+    kRecordType,
+    kUnion
+  };
+
+  Value() = default;
+  Value(Nil) : kind_(Kind::kNil) {}
+  Value(bool value) : kind_(Kind::kBool) { is_.b = value; }
+  Value(std::int64_t value) : kind_(Kind::kInt) { is_.i = value; }
+  Value(double value) : kind_(Kind::kFloat) { is_.f = value; }
+  Value(Symbol value) : kind_(Kind::kSymbol) { is_.symbol = value; }
+  Value(BuiltinRef value) : kind_(Kind::kBuiltin) { is_.builtin = value; }
+  template <class T>
+  Value(Ref<T> object) : kind_(kind_of(static_cast<const T*>(nullptr))) {
+    is_.object = object.release();
+  }
+  Value(const Value& other) noexcept : kind_(other.kind_), is_(other.is_) {
+    if (counted()) ++is_.object->references_;
+  }
+  Value(Value&& other) noexcept : kind_(std::exchange(other.kind_, Kind::kUnset)), is_(other.is_) {}
+  Value& operator=(Value other) noexcept {
+    std::swap(kind_, other.kind_);
+    std::swap(is_, other.is_);
+    return *this;
+  }
+  ~Value() {
+    if (counted() && --is_.object->references_ == 0) delete is_.object;
+  }
+
+  static Value nil() { return Nil{}; }
+  static Value string(std::string text);
+  static Value list(std::vector<Value> items);
+
+  Kind kind() const { return kind_; }
+  template <class T>
+  bool is() const {
+    return kind_ == kind_of(static_cast<const T*>(nullptr));
+  }
+  /// The bool, int, float, Symbol or BuiltinRef that it is, or null.
+  template <class T>
+  const T* get() const {
+    return is<T>() ? member(static_cast<const T*>(nullptr)) : nullptr;
+  }
+  /// The object behind a value of a counted kind, or null.
+  template <class T>
+  const T* object() const {
+    return is<T>() ? static_cast<const T*>(is_.object) : nullptr;
+  }
+  /// The same as a reference, which may be empty.
+  template <class T>
+  Ref<T> share() const {
+    return Ref<T>(const_cast<T*>(object<T>()));
+  }
+  /// The object of a value that is a T, to be changed: a copy that is its own if others have it too.
+  template <class T>
+  T& own();
+  /// Whether no other has the object of a value of a counted kind.
+  bool unique() const { return is_.object->references_ == 1; }
+
+  const List* as_list() const;
+  const Union* as_union() const;
+  bool is_function() const { return is<Closure>() || is<RecordType>() || is<BuiltinRef>(); }
+  /// Whether a bool, int or float, constant or not, of that type.
+  bool has_type(Type type) const;
+  bool is_number() const { return has_type(Type::kInt) || has_type(Type::kFloat); }
+
+  /// The same object or equal constants; cheap, and false for some equal values.
+  bool identical(const Value& other) const;
+
+ private:
+  union Payload {
+    bool b;
+    std::int64_t i;
+    double f;
+    Symbol symbol;
+    BuiltinRef builtin;
+    Counted* object;
+  };
+
+  // Of the type that a null pointer is to.
+  static constexpr Kind kind_of(const Unset*) { return Kind::kUnset; }
+  static constexpr Kind kind_of(const Nil*) { return Kind::kNil; }
+  static constexpr Kind kind_of(const bool*) { return Kind::kBool; }
+  static constexpr Kind kind_of(const std::int64_t*) { return Kind::kInt; }
+  static constexpr Kind kind_of(const double*) { return Kind::kFloat; }
+  static constexpr Kind kind_of(const Symbol*) { return Kind::kSymbol; }
+  static constexpr Kind kind_of(const BuiltinRef*) { return Kind::kBuiltin; }
+  static constexpr Kind kind_of(const String*) { return Kind::kString; }
+  static constexpr Kind kind_of(const List*) { return Kind::kList; }
+  static constexpr Kind kind_of(const Record*) { return Kind::kRecord; }
+  static constexpr Kind kind_of(const Closure*) { return Kind::kClosure; }
+  static constexpr Kind kind_of(const RecordType*) { return Kind::kRecordType; }
+  static constexpr Kind kind_of(const Union*) { return Kind::kUnion; }
+  const bool* member(const bool*) const { return &is_.b; }
+  const std::int64_t* member(const std::int64_t*) const { return &is_.i; }
+  const double* member(const double*) const { return &is_.f; }
+  const Symbol* member(const Symbol*) const { return &is_.symbol; }
+  const BuiltinRef* member(const BuiltinRef*) const { return &is_.builtin; }
+
+  bool counted() const { return kind_ >= Kind::kString; }
+
+  Kind kind_ = Kind::kUnset;
+  Payload is_ = {};
+};
+
+struct String : Counted {
+  explicit String(std::string value) : text(std::move(value)) {}
+  std::string text;
+  /// In a symbolic pass: the call that made it of values that depend on choices. What it says is known only
+  /// when a solution is replayed.
+  std::optional<Span> opaque;
+};
+
+struct List : Counted {
+  explicit List(std::vector<Value> values);
+  std::vector<Value> items;
+  std::uint32_t nesting;  // how deep lists and records nest in it; 1 for a list of plain values
+};
+
+/// What a `record` statement declares: the constructor of its records.
+struct RecordType : Counted {
+  RecordType(const RecordStmt* statement, std::uint32_t in_module)
+      : declaration(statement), module(in_module) {}
+  const RecordStmt* declaration;
+  std::uint32_t module;
+};
+
+struct Record : Counted {
+  Record(const RecordStmt* declaration, std::vector<Value> values);
+  const RecordStmt* type;
+  std::vector<Value> fields;
+  std::uint32_t nesting;
+};
+
+/// How deep lists and records nest in a value; 0 for plain values. Kept below a bound by the evaluator, so
+/// that walking a value cannot exhaust the stack.
+std::uint32_t nesting(const Value& value);
+
+/// The variables of a running or, if a closure still refers to it, finished function.
+struct Frame : Counted {
+  Frame(std::vector<Value> values, Ref<Frame> enclosing, std::uint32_t number)
+      : slots(std::move(values)), outer(std::move(enclosing)), serial(number) {}
+  std::vector<Value> slots;
+  Ref<Frame> outer;      // of the function around, or empty for functions of the top level
+  std::uint32_t serial;  // frames are numbered in the order of their creation
+};
+
+struct Closure : Counted {
+  Closure(const Function* code, Ref<Frame> frame, std::uint32_t in_module)
+      : function(code), outer(std::move(frame)), module(in_module) {}
+  const Function* function;
+  Ref<Frame> outer;
+  std::uint32_t module;
+};
+
+/// A value whose shape depends on choices: exactly one guard holds in any execution that comes here. At least
+/// two alternatives, no two of one shape, none a union itself.
+struct Union : Counted {
+  struct Alternative {
+    NodeId guard;
+    Value value;
+  };
+  explicit Union(std::vector<Alternative> several) : alternatives(std::move(several)) {}
+  std::vector<Alternative> alternatives;
+};
+
+inline const List* Value::as_list() const { return object<List>(); }
+inline const Union* Value::as_union() const { return object<Union>(); }
+
+inline bool Value::has_type(Type type) const {
+  if (kind_ == Kind::kSymbol) return is_.symbol.type == type;
+  switch (type) {
+    case Type::kBool:
+      return kind_ == Kind::kBool;
+    case Type::kInt:
+      return kind_ == Kind::kInt;
+    case Type::kFloat:
+      return kind_ == Kind::kFloat;
+  }
+  return false;
+}
+
+template <class T>
+T& Value::own() {
+  if (!unique()) *this = make_ref<T>(*object<T>());
+  return *static_cast<T*>(is_.object);
+}
+
+/// Whether the two are the same value for every execution: equal nodes, constants and members. Decided
+/// without a solver, so false only means that it is not obvious.
+bool same(const Value& a, const Value& b);
+
+/// Whether no part of the value depends on choices that are left open.
+bool is_known(const Value& value);
+
+/// "an int", "a list", "nothing (nil)": how messages call the value.
+std::string describe(const Value& value);
+
+/// The value as the language writes it. What depends on choices shows as '?'.
+std::string to_text(const Value& value);
+/// The same, with nodes called by their names; a union shows as "(a if x1 | b if x2)".
+using NodeName = std::function<std::string(NodeId)>;
+std::string to_text(const Value& value, const NodeName& name);
+/// The nodes in a value, guards of unions included.
+void collect_nodes(const Value& value, std::vector<NodeId>& nodes);
+
+/// The value as JSON: lists as arrays, records as objects of their fields, functions as their names, nil as
+/// null.
+std::string to_json(const Value& value);
+
+/// `text` as a JSON string, quotes included; broken UTF-8 is replaced.
+std::string json_string(std::string_view text);
+
+}  // namespace solitaire
