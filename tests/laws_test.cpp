@@ -84,6 +84,35 @@ bool is_float(Result result, double wanted) {
 /// Quotient q of a by b: the rest a - q * b has the sign of b and is nearer to 0 than b.
 bool is_rest(Wide rest, Wide b) { return rest == 0 || (b > 0 ? 0 < rest && rest < b : b < rest && rest < 0); }
 
+bool near(double a, double b) {
+  return a == b || std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+}
+
+/// Powers by repeated multiplication where the exponent is a small whole number, and by the sign and the
+/// logarithm of the result elsewhere.
+bool means_power(double base, double exponent, Result result) {
+  const bool whole = std::floor(exponent) == exponent;
+  if (base < 0 && !whole) return !result;
+  if (!result) return false;
+  if (whole && std::abs(exponent) <= 8) {
+    double product = 1;
+    for (int i = 0; i < static_cast<int>(std::abs(exponent)); ++i) product *= base;
+    return near(result->f, exponent < 0 ? 1 / product : product);
+  }
+  const double logarithm = exponent * std::log(std::abs(base));
+  if (logarithm > 709.7) return std::isinf(result->f);
+  if (logarithm < -700) return std::abs(result->f) < 1e-300;
+  return near(std::abs(result->f), std::exp(logarithm));
+}
+
+/// The angle of the direction (x, y) from the x axis: its cosine and sine point that way.
+bool means_angle(double y, double x, double angle) {
+  const double length = std::hypot(x, y);
+  if (!(std::abs(angle) <= 3.1415926535897936)) return false;
+  if (length == 0) return true;
+  return std::abs(std::cos(angle) - x / length) <= 1e-9 && std::abs(std::sin(angle) - y / length) <= 1e-9;
+}
+
 /// Whether `result` is what the operation means, said independently of how the table computes it.
 bool means(Op op, const Scalar* x, Result result) {
   const Wide a = x[0].i, b = x[1].i;
@@ -139,6 +168,18 @@ bool means(Op op, const Scalar* x, Result result) {
       return g == 0 ? !result : is_float(result, f / g);
     case Op::kNegFloat:
       return is_float(result, 0 - f);
+    case Op::kMinFloat:
+      return result && (result->f == f || result->f == g) && result->f <= f && result->f <= g;
+    case Op::kMaxFloat:
+      return result && (result->f == f || result->f == g) && result->f >= f && result->f >= g;
+    case Op::kExp:  // the sign and the growth of it; its exact value is what log undoes
+      return result && result->f >= 0 && (f > 700 || f < -700 || near(std::log(result->f), f));
+    case Op::kLog:
+      return f <= 0 ? !result : result && near(std::exp(result->f / 2) * std::exp(result->f / 2), f);
+    case Op::kPow:
+      return means_power(f, g, result);
+    case Op::kAtan2:
+      return result && means_angle(f, g, result->f);
     case Op::kSqrt:
       return f < 0 ? !result : result && std::abs(result->f * result->f - f) <= 1e-15 * f;
     case Op::kSin:
@@ -171,6 +212,65 @@ TEST_CASE("folding: every operation gives what it means, at the edges too") {
       if (++wrong < 4) FAIL_CHECK(row.name, " of ", operands[0].i, ", ", operands[1].i, ", ", operands[2].i);
     });
     CHECK(wrong == 0);
+  });
+}
+
+TEST_CASE("commutativity: the table says of exactly those operations that their operands can change places") {
+  each_operation([](const Operation& row) {
+    if (row.arity != 2) return;
+    bool commutes = true;
+    each_tuple<Scalar>({edge_values(row.operand), edge_values(row.operand)}, [&](const Scalar* tuple) {
+      const Scalar swapped[2] = {tuple[1], tuple[0]};
+      const Result one = row.fold(tuple);
+      const Result other = row.fold(swapped);
+      // Bit for bit, by which the smaller of -0.0 and 0.0 depends on the order.
+      commutes = commutes && one.has_value() == other.has_value() && (!one || one->i == other->i);
+    });
+    CAPTURE(row.name);
+    CHECK(row.commutative == commutes);
+  });
+}
+
+/// The central difference over a step that suits the operand's size; nothing where the function is undefined
+/// on either side.
+std::optional<double> slope(const Operation& row, const Scalar* at, std::size_t number) {
+  Scalar below[3] = {at[0], at[1], at[2]}, above[3] = {at[0], at[1], at[2]};
+  const double step = 1e-6 * std::max(1.0, std::abs(at[number].f));
+  below[number].f -= step;
+  above[number].f += step;
+  const Result low = row.fold(below);
+  const Result high = row.fold(above);
+  if (!low || !high) return std::nullopt;
+  return (high->f - low->f) / (above[number].f - below[number].f);
+}
+
+TEST_CASE("derivatives: those of the table are the slopes of the folds") {
+  std::mt19937_64 random(3);
+  each_operation([&](const Operation& row) {
+    if (row.derivative == nullptr) return;
+    int compared = 0;
+    for (int round = 0; round < 400; ++round) {
+      Scalar operands[3] = {};
+      for (std::size_t i = 0; i < row.arity; ++i) {
+        operands[i] = Scalar::of(static_cast<double>(random() % 8000) / 1000 - 4 + 0.0003);
+        if (operand_type(row, i) == Type::kBool) operands[i] = Scalar::of(random() % 2 == 0);
+      }
+      const Result result = row.fold(operands);
+      if (!result) continue;
+      double partials[3] = {};
+      row.derivative(operands, result->f, partials);
+      for (std::size_t i = 0; i < row.arity; ++i) {
+        if (operand_type(row, i) != Type::kFloat) continue;
+        const auto expected = slope(row, operands, i);
+        if (!expected) continue;
+        CAPTURE(row.name);
+        CAPTURE(operands[0].f);
+        CAPTURE(operands[1].f);
+        CHECK(partials[i] == doctest::Approx(*expected).epsilon(1e-4));
+        ++compared;
+      }
+    }
+    CHECK(compared > 100);
   });
 }
 

@@ -110,15 +110,6 @@ NodeId Graph::fold(Op op, std::span<const NodeId> operands) {
   return make_constant(row.result, *result);
 }
 
-namespace {
-
-bool is_commutative(Op op) {
-  return op == Op::kAnd || op == Op::kOr || op == Op::kEqInt || op == Op::kEqBool || op == Op::kAdd ||
-         op == Op::kMul;
-}
-
-}  // namespace
-
 /// One order for what can stand in either, so that equals meet: constants last, else the older node first.
 void Graph::order(NodeId& a, NodeId& b) const {
   const auto rank = [this](NodeId id) { return std::pair(node(id).is_constant(), id.index); };
@@ -147,7 +138,7 @@ NodeId Graph::apply(Op op, std::initializer_list<NodeId> operands) {
     return this->constant(made.interval.lo);
   }
   if (const auto simple = simplify(op, made.args())) return *simple;
-  if (is_commutative(op)) order(made.operands[0], made.operands[1]);
+  if (row.commutative) order(made.operands[0], made.operands[1]);
   return intern(made);
 }
 

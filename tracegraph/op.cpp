@@ -43,16 +43,43 @@ Result divide_float(double a, double b) {
   return Scalar::of(a / b);
 }
 
-Result square_root(double a) {
-  if (a < 0) return std::nullopt;
-  return Scalar::of(std::sqrt(a));
+/// Gives nothing where a function is undefined although none of its operands is.
+Result unless_undefined(double value) {
+  if (std::isnan(value)) return std::nullopt;
+  return Scalar::of(value);
+}
+
+Result logarithm(double a) {
+  if (a <= 0) return std::nullopt;
+  return Scalar::of(std::log(a));
+}
+
+// d/da a^b = b a^(b-1); d/db a^b = a^b ln a, which exists where a is positive. Where the base is 0 or
+// negative the power is only defined for some exponents, so that there is no slope along b; it is taken as 0.
+void power_derivative(const Scalar* a, double result, double* partials) {
+  partials[0] = a[1].f == 0 ? 0 : a[1].f * std::pow(a[0].f, a[1].f - 1);
+  partials[1] = a[0].f > 0 ? result * std::log(a[0].f) : 0;
+}
+
+void atan2_derivative(const Scalar* a, double, double* partials) {
+  const double square = a[0].f * a[0].f + a[1].f * a[1].f;
+  partials[0] = a[1].f / square;
+  partials[1] = -a[0].f / square;
+}
+
+void taken(bool first, double* partials) {
+  partials[0] = first ? 1 : 0;
+  partials[1] = first ? 0 : 1;
 }
 
 using S = const Scalar*;
 using I = const Interval*;
+using P = double*;
 constexpr Type kB = Type::kBool;
 constexpr Type kI = Type::kInt;
 constexpr Type kF = Type::kFloat;
+constexpr bool kCommutative = true;
+constexpr bool kOrdered = false;
 
 // clang-format off
 constexpr std::array<Operation, kOpCount> kTable = {{
@@ -60,42 +87,49 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kConstInt, "int", "", 0, kI, kI, nullptr, nullptr},
     {Op::kConstFloat, "float", "", 0, kF, kF, nullptr, nullptr},
     {Op::kChoice, "range", "", 0, kI, kI, nullptr, nullptr},
+    {Op::kChoiceFloat, "draw", "", 0, kF, kF, nullptr, nullptr},
 
     {Op::kNot, "not", "not", 1, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i == 0); }, nullptr},
-    {Op::kAnd, "and", "and", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i != 0 && a[1].i != 0); }, nullptr},
-    {Op::kOr, "or", "or", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i != 0 || a[1].i != 0); }, nullptr},
-    {Op::kEqBool, "iff", "==", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i == a[1].i); }, nullptr},
+    {Op::kAnd, "and", "and", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i != 0 && a[1].i != 0); }, nullptr, kCommutative},
+    {Op::kOr, "or", "or", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i != 0 || a[1].i != 0); }, nullptr, kCommutative},
+    {Op::kEqBool, "iff", "==", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i == a[1].i); }, nullptr, kCommutative},
     {Op::kIteBool, "if", "", 3, kB, kB, [](S a) -> Result { return a[0].i != 0 ? a[1] : a[2]; }, nullptr},
 
-    {Op::kAdd, "add", "+", 2, kI, kI, [](S a) { return exact(a[0].i + a[1].i); }, [](I a) { return add(a[0], a[1]); }},
+    {Op::kAdd, "add", "+", 2, kI, kI, [](S a) { return exact(a[0].i + a[1].i); }, [](I a) { return add(a[0], a[1]); }, kCommutative},
     {Op::kSub, "sub", "-", 2, kI, kI, [](S a) { return exact(a[0].i - a[1].i); }, [](I a) { return subtract(a[0], a[1]); }},
-    {Op::kMul, "mul", "*", 2, kI, kI, [](S a) { return multiply_exactly(a[0].i, a[1].i); }, [](I a) { return multiply(a[0], a[1]); }},
+    {Op::kMul, "mul", "*", 2, kI, kI, [](S a) { return multiply_exactly(a[0].i, a[1].i); }, [](I a) { return multiply(a[0], a[1]); }, kCommutative},
     {Op::kDiv, "div", "/", 2, kI, kI, [](S a) { return floor_divide(a[0].i, a[1].i); }, [](I a) { return divide(a[0], a[1]); }},
     {Op::kMod, "mod", "%", 2, kI, kI, [](S a) { return floor_modulo(a[0].i, a[1].i); }, [](I a) { return modulo(a[0], a[1]); }},
     {Op::kNeg, "neg", "-", 1, kI, kI, [](S a) -> Result { return Scalar::of(-a[0].i); }, [](I a) { return negate(a[0]); }},
-    {Op::kMin, "min", "", 2, kI, kI, [](S a) -> Result { return Scalar::of(std::min(a[0].i, a[1].i)); }, [](I a) { return minimum(a[0], a[1]); }},
-    {Op::kMax, "max", "", 2, kI, kI, [](S a) -> Result { return Scalar::of(std::max(a[0].i, a[1].i)); }, [](I a) { return maximum(a[0], a[1]); }},
+    {Op::kMin, "min", "", 2, kI, kI, [](S a) -> Result { return Scalar::of(std::min(a[0].i, a[1].i)); }, [](I a) { return minimum(a[0], a[1]); }, kCommutative},
+    {Op::kMax, "max", "", 2, kI, kI, [](S a) -> Result { return Scalar::of(std::max(a[0].i, a[1].i)); }, [](I a) { return maximum(a[0], a[1]); }, kCommutative},
     {Op::kAbs, "abs", "", 1, kI, kI, [](S a) -> Result { return Scalar::of(std::abs(a[0].i)); }, [](I a) { return absolute(a[0]); }},
     {Op::kIteInt, "if", "", 3, kI, kI, [](S a) -> Result { return a[0].i != 0 ? a[1] : a[2]; }, [](I a) { return hull(a[1], a[2]); }},
 
-    {Op::kEqInt, "eq", "==", 2, kI, kB, [](S a) -> Result { return Scalar::of(a[0].i == a[1].i); }, nullptr},
+    {Op::kEqInt, "eq", "==", 2, kI, kB, [](S a) -> Result { return Scalar::of(a[0].i == a[1].i); }, nullptr, kCommutative},
     {Op::kLtInt, "lt", "<", 2, kI, kB, [](S a) -> Result { return Scalar::of(a[0].i < a[1].i); }, nullptr},
     {Op::kLeInt, "le", "<=", 2, kI, kB, [](S a) -> Result { return Scalar::of(a[0].i <= a[1].i); }, nullptr},
 
     {Op::kToFloat, "float", "", 1, kI, kF, [](S a) -> Result { return Scalar::of(static_cast<double>(a[0].i)); }, nullptr},
     {Op::kFloor, "floor", "", 1, kF, kI, [](S a) { return floor_exactly(a[0].f); },
      [](I) { return Interval{-static_cast<std::int64_t>(kFloorLimit), static_cast<std::int64_t>(kFloorLimit)}; }},
-    {Op::kAddFloat, "fadd", "+", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f + a[1].f); }, nullptr},
-    {Op::kSubFloat, "fsub", "-", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f - a[1].f); }, nullptr},
-    {Op::kMulFloat, "fmul", "*", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f * a[1].f); }, nullptr},
-    {Op::kDivFloat, "fdiv", "/", 2, kF, kF, [](S a) { return divide_float(a[0].f, a[1].f); }, nullptr},
-    {Op::kNegFloat, "fneg", "-", 1, kF, kF, [](S a) -> Result { return Scalar::of(-a[0].f); }, nullptr},
-    {Op::kSqrt, "sqrt", "", 1, kF, kF, [](S a) { return square_root(a[0].f); }, nullptr},
-    {Op::kSin, "sin", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::sin(a[0].f)); }, nullptr},
-    {Op::kCos, "cos", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::cos(a[0].f)); }, nullptr},
-    {Op::kIteFloat, "if", "", 3, kF, kF, [](S a) -> Result { return a[0].i != 0 ? a[1] : a[2]; }, nullptr},
+    {Op::kAddFloat, "fadd", "+", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f + a[1].f); }, nullptr, kCommutative, [](S, double, P d) { d[0] = 1; d[1] = 1; }},
+    {Op::kSubFloat, "fsub", "-", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f - a[1].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = 1; d[1] = -1; }},
+    {Op::kMulFloat, "fmul", "*", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f * a[1].f); }, nullptr, kCommutative, [](S a, double, P d) { d[0] = a[1].f; d[1] = a[0].f; }},
+    {Op::kDivFloat, "fdiv", "/", 2, kF, kF, [](S a) { return divide_float(a[0].f, a[1].f); }, nullptr, kOrdered, [](S a, double r, P d) { d[0] = 1 / a[1].f; d[1] = -r / a[1].f; }},
+    {Op::kNegFloat, "fneg", "-", 1, kF, kF, [](S a) -> Result { return Scalar::of(-a[0].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = -1; }},
+    {Op::kMinFloat, "fmin", "", 2, kF, kF, [](S a) -> Result { return a[1].f < a[0].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[1].f < a[0].f), d); }},
+    {Op::kMaxFloat, "fmax", "", 2, kF, kF, [](S a) -> Result { return a[0].f < a[1].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[0].f < a[1].f), d); }},
+    {Op::kSqrt, "sqrt", "", 1, kF, kF, [](S a) { return unless_undefined(std::sqrt(a[0].f)); }, nullptr, kOrdered, [](S, double r, P d) { d[0] = 0.5 / r; }},
+    {Op::kExp, "exp", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::exp(a[0].f)); }, nullptr, kOrdered, [](S, double r, P d) { d[0] = r; }},
+    {Op::kLog, "log", "", 1, kF, kF, [](S a) { return logarithm(a[0].f); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = 1 / a[0].f; }},
+    {Op::kPow, "pow", "", 2, kF, kF, [](S a) { return unless_undefined(std::pow(a[0].f, a[1].f)); }, nullptr, kOrdered, power_derivative},
+    {Op::kSin, "sin", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::sin(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = std::cos(a[0].f); }},
+    {Op::kCos, "cos", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::cos(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = -std::sin(a[0].f); }},
+    {Op::kAtan2, "atan2", "", 2, kF, kF, [](S a) -> Result { return Scalar::of(std::atan2(a[0].f, a[1].f)); }, nullptr, kOrdered, atan2_derivative},
+    {Op::kIteFloat, "if", "", 3, kF, kF, [](S a) -> Result { return a[0].i != 0 ? a[1] : a[2]; }, nullptr, kOrdered, [](S a, double, P d) { taken(a[0].i != 0, d + 1); }},
 
-    {Op::kEqFloat, "feq", "==", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f == a[1].f); }, nullptr},
+    {Op::kEqFloat, "feq", "==", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f == a[1].f); }, nullptr, kCommutative},
     {Op::kLtFloat, "flt", "<", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f < a[1].f); }, nullptr},
     {Op::kLeFloat, "fle", "<=", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f <= a[1].f); }, nullptr},
 }};
@@ -108,10 +142,14 @@ constexpr bool complete() {
     if (row.op != static_cast<Op>(i) || row.name.empty()) return false;
     if (leaf != (row.fold == nullptr)) return false;
     if (!leaf && (row.result == Type::kInt) != (row.bounds != nullptr)) return false;
+    if (row.commutative && row.arity != 2) return false;
+    const bool smooth = !leaf && row.operand == Type::kFloat && row.result == Type::kFloat;
+    if (smooth != (row.derivative != nullptr)) return false;
   }
   return true;
 }
-static_assert(complete(), "every operation has its row, in the order of enum Op, with a fold and int bounds");
+static_assert(complete(),
+              "every operation has its row, in the order of enum Op, with a fold, int bounds and derivative");
 
 }  // namespace
 

@@ -11,14 +11,15 @@ namespace solitaire {
 enum class Type : std::uint8_t { kBool, kInt, kFloat };
 
 /// The operations of the trace graph. One table (operation()) says everything about each of them but how a
-/// solver encodes it, which smt/encode.cpp says in a table of the same order.
+/// solver encodes it, which smt/ says in tables of the same order.
 // clang-format off
 enum class Op : std::uint8_t {
-  kConstBool, kConstInt, kConstFloat, kChoice,
+  kConstBool, kConstInt, kConstFloat, kChoice, kChoiceFloat,
   kNot, kAnd, kOr, kEqBool, kIteBool,
   kAdd, kSub, kMul, kDiv, kMod, kNeg, kMin, kMax, kAbs, kIteInt,
   kEqInt, kLtInt, kLeInt,
-  kToFloat, kFloor, kAddFloat, kSubFloat, kMulFloat, kDivFloat, kNegFloat, kSqrt, kSin, kCos, kIteFloat,
+  kToFloat, kFloor, kAddFloat, kSubFloat, kMulFloat, kDivFloat, kNegFloat, kMinFloat, kMaxFloat,
+  kSqrt, kExp, kLog, kPow, kSin, kCos, kAtan2, kIteFloat,
   kEqFloat, kLtFloat, kLeFloat,
   kCount_
 };
@@ -35,11 +36,16 @@ union Scalar {
   static constexpr Scalar of(double value) { return {.f = value}; }
 };
 
-/// What an operation means on constants; nothing where it has no meaning (division by zero, an int past
-/// kIntLimit).
+/// What an operation means on constants. It gives nothing where the operation has no meaning: a division by
+/// zero, an int past kIntLimit, the square root or logarithm of a negative number. Float arithmetic follows
+/// IEEE 754 and may give an infinity where a result is too large.
 using Fold = std::optional<Scalar> (*)(const Scalar* operands);
-/// Bounds of an int result, given bounds of the operands; may lie outside the exact range.
+/// Bounds of an int result, given bounds of the operands. They may lie outside the exact range.
 using Bounds = Interval (*)(const Interval* operands);
+/// The partial derivative of a float result by each float operand, at the operands' values and the result
+/// that they fold to. Entries for operands that are no floats are left alone. Where the function has a kink
+/// (min, max at equal operands), the derivative is that of the operand that the fold takes.
+using Derivative = void (*)(const Scalar* operands, double result, double* partials);
 
 struct Operation {
   Op op;
@@ -48,8 +54,13 @@ struct Operation {
   std::uint8_t arity;
   Type operand;  // of every operand but the condition of an ite, which is a bool
   Type result;
-  Fold fold;      // null for leaves
-  Bounds bounds;  // null unless the result is an int
+  Fold fold;                        // null for leaves
+  Bounds bounds;                    // null unless the result is an int
+  bool commutative = false;         // whether f(a, b) and f(b, a) are one
+  Derivative derivative = nullptr;  // null unless the result is a float that depends smoothly on floats
+
+  /// Whether an operand or the result is a float. Bit-vectors and clauses cannot say such an operation.
+  constexpr bool on_floats() const { return operand == Type::kFloat || result == Type::kFloat; }
 };
 
 extern const std::array<Operation, kOpCount> kOperations;

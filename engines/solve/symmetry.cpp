@@ -19,25 +19,6 @@ constexpr std::size_t kMostNodes = 20'000'000;
 /// By variable: the one in whose place it stands.
 using Renaming = std::vector<std::size_t>;
 
-bool is_commutative(Op op) {
-  switch (op) {
-    case Op::kAnd:
-    case Op::kOr:
-    case Op::kEqBool:
-    case Op::kAdd:
-    case Op::kMul:
-    case Op::kMin:
-    case Op::kMax:
-    case Op::kEqInt:
-    case Op::kEqFloat:
-    case Op::kAddFloat:
-    case Op::kMulFloat:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// Numbers for expressions that are the same up to the order of operands, and for conjunctions and
 /// disjunctions also up to how they are nested.
 class Shapes {
@@ -61,7 +42,7 @@ class Shapes {
     if (node.op == Op::kChoice) return intern({node.op, {renaming[node.payload]}});
     Key key{node.op, {}};
     for (const NodeId operand : node.args()) append(key, shapes[operand.index]);
-    if (is_commutative(node.op)) std::sort(key.second.begin(), key.second.end());
+    if (operation(node.op).commutative) std::sort(key.second.begin(), key.second.end());
     if (is_connective(node.op))
       key.second.erase(std::unique(key.second.begin(), key.second.end()), key.second.end());
     return intern(std::move(key));
