@@ -48,8 +48,11 @@ std::string shortened(std::string text) {
 }
 
 nlohmann::ordered_json timings_json(const TracingTimes& times) {
-  return {
-      {"explore", times.explore}, {"encode", times.encode}, {"solve", times.solve}, {"replay", times.replay}};
+  return {{"explore", times.explore},
+          {"encode", times.encode},
+          {"solve", times.solve},
+          {"replay", times.replay},
+          {"replays", times.replays}};
 }
 
 /// Writes a solution's files as it is found, and at the end the page that shows them all.

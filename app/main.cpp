@@ -56,6 +56,7 @@ int run_command_line(int argc, char** argv) {
   Options generate_options;
   generate_options.count = 8;
   generate_options.distinct = Distinct::kResult;
+  generate_options.replay = Replay::kEvery;
   CLI::App* generating = add_command(
       app, "generate", "find solutions and write each as a 3D scene (.glb), with a page that shows all",
       [&](CLI::App& command) {
@@ -74,6 +75,9 @@ int run_command_line(int argc, char** argv) {
     add_program_options(command, solve_options);
     add_search_options(command, solve_options);
     command.add_flag("--json", solve_options.json, "a JSON object a line");
+    command.add_flag_callback(
+        "--check", [&] { solve_options.replay = Replay::kEvery; },
+        "run the program again with every solution, as generate does, instead of reading most off the trace");
   });
 
   Options check_options;

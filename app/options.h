@@ -39,6 +39,7 @@ struct Options {
   std::uint64_t count = 1;
   std::uint64_t jobs = 1;  // searches at work at a time
   bool all = false;
+  Replay replay = Replay::kSome;  // what is written to disk is always run
   Distinct distinct = Distinct::kChoices;
   std::optional<DiversityLevel> diversity;  // normal, with --all low
   Sampling sampling = Sampling::kSearch;

@@ -57,6 +57,7 @@ void Search::resume(const std::vector<KnownChoices>& earlier, const Found& seen)
     note_diversity(solution);
   }
   resumed_ = solutions_;
+  replays_ = times().replays;
 }
 
 ExitStatus Search::run(const Found& found, const Close& close) {
@@ -104,6 +105,7 @@ Ending Search::deliver_all(const Found& found, Progress& progress) {
       const std::optional<Solution> solution = next(progress);
       if (!solution) return series_->ending();
       const auto lock = watchdog_.delivering();
+      replays_ = times().replays;
       deliver(*solution, found, progress);
     }
     return Ending::kNone;
@@ -196,6 +198,7 @@ void Search::summarize(Ending ending) const {
   std::string text =
       fmt::format("{} solution{}{} in {:.2f} s", solutions_, solutions_ == 1 ? "" : "s",
                   resumed_ > 0 ? fmt::format(" ({} of them earlier)", resumed_) : "", seconds_since(start_));
+  if (options_.replay == Replay::kEvery) text += fmt::format(", checked by {} runs", replays_);
   if (series_->alike() > 0) text += fmt::format(", not counting {} that look like others", series_->alike());
   switch (ending) {
     case Ending::kNone:

@@ -56,6 +56,7 @@ class Search {
   std::unique_ptr<SolutionSource> series_;
   std::uint64_t resumed_ = 0;            // solutions of earlier runs
   std::uint64_t solutions_ = 0;          // with those of earlier runs; changes only while delivering
+  std::uint64_t replays_ = 0;            // times().replays as of the last solution, as the engine is at work
   Diversity diversity_;                  // of all these
   std::optional<Solution> best_so_far_;  // of the search that goes on; changes only while delivering
   /// Given back where there is no more memory, for what is to be done then. It is not touched, so it takes

@@ -55,6 +55,7 @@ TracingOptions Session::tracing_options() const {
       options_.diversity.value_or(usual) != DiversityLevel::kLow && options_.backend != Backend::kThesis;
   tracing.far_apart = options_.diversity == DiversityLevel::kHigh;
   tracing.relax = options_.relax;
+  tracing.replay = options_.replay;
   tracing.improvement_time = options_.per_solution;
   tracing.pins = pins_;
   tracing.min_distance = DistanceBound::of(options_.min_distance);

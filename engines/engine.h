@@ -14,8 +14,8 @@ struct Quality {
   bool proved = false;  // that no better one is left
 };
 
-/// An execution in which every assert holds, unless they may be broken. It has been run, or read off a trace
-/// that knows all that it does: what it says is what the program does.
+/// An execution in which every assert holds, unless asserts may be broken. The program was run with these
+/// choices, or, where the engine was allowed to, what it does with them was read off its trace.
 struct Solution {
   std::vector<MetChoice> choices;
   std::vector<AnsweredChoice> answers;  // the same in readable form

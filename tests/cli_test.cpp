@@ -121,6 +121,23 @@ TEST_CASE("cli: the text of a solution shows its value and its choices") {
   CHECK(run_solitaire({"solve", script, "-q"}).err == "");
 }
 
+TEST_CASE("cli: generate runs the program with every solution, and so does solve where that is asked for") {
+  const Workplace place;
+  const std::string script = place.file("runs.sol", "x = range(1, 60);\nreturn x;\n");
+  const std::string solving = run_solitaire({"solve", script, "--all"}).err;
+  CHECK(has(solving, "60 solutions in "));
+  CHECK(!has(solving, "checked by"));
+  CHECK(has(run_solitaire({"solve", script, "--all", "--check"}).err, ", checked by 60 runs: proved"));
+  const auto generate = [&](const char* folder, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"generate", script, "-o", place / folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_solitaire(arguments).err;
+  };
+  CHECK(has(generate("a", {"--all"}), ", checked by 60 runs: proved"));
+  CHECK(has(generate("b", {"-n", "30", "--sample", "uniform"}), ", checked by 30 runs\n"));
+  CHECK(has(generate("b", {"-n", "40", "--sample", "uniform", "--resume"}), ", checked by 40 runs\n"));
+}
+
 TEST_CASE("cli: params are set on the command line") {
   const Workplace place;
   const std::string script =

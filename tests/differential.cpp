@@ -164,6 +164,7 @@ class Comparer {
     options.exploration = exploration;
     options.seed = seed_;
     options.diverse = diverse;
+    options.replay = Replay::kSome;  // so that what is read off the trace is compared, too
     options.limits = limits_;
     options.limits.stop = &stop;
     Found found;

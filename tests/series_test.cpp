@@ -138,6 +138,39 @@ TEST_CASE("series: searches at work beside others end when they are told to") {
   CHECK(series.ending() == Ending::kStopped);
 }
 
+/// How often a series that gives so many solutions runs the program with one.
+std::uint64_t replays(Replay replay, bool diverse, std::size_t jobs, std::size_t count) {
+  const Program program = program_of(kRooks);
+  SeriesOptions options;
+  for (std::size_t i = 0; i < jobs; ++i)
+    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(kRooks), {}}));
+  TracingOptions tracing;
+  tracing.replay = replay;
+  tracing.diverse = diverse;
+  Series series(program, {}, tracing, options);
+  CHECK(take(series, count).size() == count);
+  return series.times().replays;
+}
+
+TEST_CASE("series: every solution is run where that is asked for, and few where it is not") {
+  CHECK(replays(Replay::kEvery, false, 0, 100) == 100);
+  CHECK(replays(Replay::kSome, false, 0, 100) == 2);    // the first and the sixteenth
+  CHECK(replays(Replay::kEvery, true, 0, 100) >= 100);  // more where two blocks find the same
+  CHECK(replays(Replay::kSome, true, 0, 100) < 20);
+  CHECK(replays(Replay::kEvery, true, 3, 100) >= 100);
+  CHECK(replays(Replay::kSome, true, 3, 100) < 20);
+}
+
+TEST_CASE("series: every solution is run by default, also those that come from an earlier run") {
+  const Program program = program_of(kRooks);
+  Series first(program, {}, {}, {});
+  const std::vector<KnownChoices> earlier = take_choices(first, 3);
+  CHECK(first.times().replays == 3);
+  Series second(program, {}, {}, {});
+  second.resume(earlier);
+  CHECK(second.times().replays == 3);
+}
+
 TEST_CASE("series: what is no solution of the program is refused, by its number") {
   const Program program = program_of("x = range(0, 3); y = range(0, 3); assert(x < y); return x;");
   const std::vector<std::vector<KnownChoices>> wrong = {

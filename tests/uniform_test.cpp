@@ -210,6 +210,17 @@ TEST_CASE("uniform: an interrupted series goes on with exactly what would have c
   check_resumed({0}, false, {3}, 6);
 }
 
+TEST_CASE("uniform: every solution is run where that is asked for") {
+  const Program program = program_of(kRooks);
+  for (const Replay replay : {Replay::kEvery, Replay::kSome}) {
+    TracingOptions tracing;
+    tracing.replay = replay;
+    UniformEngine engine(program, {}, tracing);
+    for (int i = 0; i < 40; ++i) REQUIRE(engine.next());
+    CHECK(engine.tracing().times().replays == (replay == Replay::kEvery ? 40 : 2));
+  }
+}
+
 TEST_CASE("uniform: what cannot be sampled is refused") {
   const Program wishes = program_of("x = range(0, 3);\nminimize(x);\nreturn x;\n");
   CHECK_THROWS_AS(UniformEngine(wishes, {}, {}).next(), UnequalSolutions);

@@ -3,10 +3,11 @@
 namespace solitaire {
 namespace {
 
-/// Whoever gets the choices of a solution runs them for the rest.
+/// Whoever takes the choices of a solution from here runs them, so a run of them here would be one too many.
 TracingOptions choices_only(TracingOptions options, const StopSignal& stop) {
   options.limits.stop = &stop;
   options.scene = SceneDetail::kNone;
+  options.replay = Replay::kSome;
   return options;
 }
 
@@ -36,6 +37,7 @@ void BackgroundSearch::run() {
       const std::optional<Solution> solution = engine.next();
       std::unique_lock lock(mutex_);
       times_ = engine.times();
+      times_.replays = 0;  // whoever takes the solution runs it again, and counts that
       if (!solution) {
         lock.unlock();
         return finish(engine.ending(), nullptr);

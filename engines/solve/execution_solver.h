@@ -36,11 +36,20 @@ enum class SceneDetail : std::uint8_t {
   kProvenance,  // and the choices on which that depends
 };
 
+/// Which solutions are run again after they were found, which checks that the program accepts them.
+enum class Replay : std::uint8_t {
+  kEvery,
+  /// The first solution and those with the numbers 16, 256, 4096, ... are run. The others are read off the
+  /// trace, in about a tenth of the time, where it says all that the program does.
+  kSome,
+};
+
 struct TracingOptions {
   Exploration exploration;
   Backend backend = Backend::kCadical;
   std::uint64_t seed = 0;
-  bool diverse = true;                           // solutions that differ much, at some cost in speed
+  bool diverse = true;  // solutions that differ much, at some cost in speed
+  Replay replay = Replay::kEvery;
   SceneDetail scene = SceneDetail::kProvenance;  // of solutions
   bool far_apart = false;                        // and of these the most different ones
   /// Of solutions that look alike one will do: not all need to be found, where they are gone through in
@@ -55,15 +64,17 @@ struct TracingOptions {
   Limits limits;               // of one execution; its stop signal ends the work
 };
 
-/// Where the time went, in seconds.
+/// Where the time went, in seconds, and how many solutions were run again.
 struct TracingTimes {
   double explore = 0, encode = 0, solve = 0, replay = 0;
+  std::uint64_t replays = 0;
 
   TracingTimes& operator+=(const TracingTimes& other) {
     explore += other.explore;
     encode += other.encode;
     solve += other.solve;
     replay += other.replay;
+    replays += other.replays;
     return *this;
   }
 };

@@ -501,13 +501,16 @@ std::string TracingEngine::leading_choices(const TraceProgramError& mistake, con
 
 Execution TracingEngine::replay(const Answers& answers) {
   const Stopwatch watch(solver_.times().replay);
+  ++solver_.times().replays;
   ModelChoices choices(answers, addresses_);
   return execute(program_, params_, choices, addresses_, limits_);
 }
 
-/// What the trace says of an execution. The very first one is run.
+/// Reads an execution off the trace. Returns nothing if the execution has to be run instead.
 std::optional<Execution> TracingEngine::read(Assignment& assignment) {
-  if (options_.relax || options_.backend == Backend::kThesis || ++taken_ == 1) return std::nullopt;
+  const bool first = ++taken_ == 1;
+  if (first || options_.replay == Replay::kEvery || options_.relax || options_.backend == Backend::kThesis)
+    return std::nullopt;
   const Stopwatch watch(solver_.times().replay);
   return read_execution(program_, solver_.pass(), addresses_, assignment,
                         options_.scene != SceneDetail::kNone);
@@ -591,6 +594,8 @@ Solution TracingEngine::run(const KnownChoices& choices) {
   if (std::optional<Execution> execution = read(choices)) {
     solution.execution = std::move(*execution);
   } else {
+    const Stopwatch watch(solver_.times().replay);
+    ++solver_.times().replays;
     WrittenChoices written(choices, addresses_);
     solution.execution = execute(program_, params_, written, addresses_, limits_);
   }
