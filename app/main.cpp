@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <malloc.h>
 #include <sstream>
 
 #include "app/commands.h"
@@ -44,6 +45,14 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* description,
   CLI::App* command = app.add_subcommand(name, description);
   command->preparse_callback([command, add = std::move(add_options)](std::size_t) { add(*command); });
   return command;
+}
+
+/// The command's thread does nearly all the work. This lets its memory grow in large steps, as that of a
+/// first thread does by itself.
+void let_memory_grow_in_large_steps() {
+  mallopt(M_ARENA_MAX, 1);
+  mallopt(M_TOP_PAD, 16 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
 }
 
 int run_command_line(int argc, char** argv) {
@@ -138,5 +147,6 @@ int run_command_line(int argc, char** argv) {
 int main(int argc, char** argv) {
   solitaire::reserve_standard_streams();
   solitaire::catch_signals();
+  solitaire::let_memory_grow_in_large_steps();
   return solitaire::run_command_line(argc, argv);
 }

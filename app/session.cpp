@@ -3,6 +3,7 @@
 #include "app/pin_options.h"
 #include "app/report.h"
 #include "app/signals.h"
+#include "base/installation.h"
 
 namespace solitaire {
 namespace {
@@ -25,7 +26,7 @@ OwnProgram Session::load(const Options& options) {
   OwnProgram own;
   SourceSet sources;
   try {
-    own.program = load_program(options.script, {{data_folder() / "solitaire", data_folder()}}, sources);
+    own.program = load_program(options.script, {{data_folder(), data_folder() / "solitaire"}}, sources);
   } catch (const ProgramError& error) {
     report(error, sources);
     throw Reported{kError};
@@ -69,7 +70,7 @@ std::string Session::name() const { return std::filesystem::path(options_.script
 
 std::filesystem::path data_folder() {
   const char* const folder = std::getenv("SOLITAIRE_DATA");
-  return folder != nullptr ? folder : SOLITAIRE_DATA_DIR;
+  return folder != nullptr ? folder : find_data_folder();
 }
 
 }  // namespace solitaire

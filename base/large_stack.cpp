@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <malloc.h>
 #include <sys/resource.h>
 #include <system_error>
 #include <thread>
@@ -45,10 +44,6 @@ LargeStackThread::LargeStackThread(std::function<void()> work) : work_(std::move
 LargeStackThread::~LargeStackThread() { pthread_join(thread_, nullptr); }
 
 void run_on_large_stack(const std::function<void()>& work, const std::function<void()>& beside) {
-  // One thread does nearly all the work. Its memory is to grow in large steps, as the first thread's would.
-  mallopt(M_ARENA_MAX, 1);
-  mallopt(M_TOP_PAD, 16 << 20);
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
   try {
     const LargeStackThread thread(work);
     if (beside) beside();

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "base/installation.h"
 #include "smt/xor/xor_solver.h"
 #include "smt/z3/shared_library.h"
 
@@ -84,7 +85,7 @@ class CryptoMiniSat : public ModelSolver {
   static constexpr std::uint64_t kConflictsPerLook = 2000;
 
   static XorSolver* make(int variables) {
-    static const SharedLibrary module(SOLITAIRE_XOR_MODULE);
+    static const SharedLibrary module(find_module("solitaire_xor.so"));
     static const auto make_solver = reinterpret_cast<MakeXorSolver>(module.symbol("make_xor_solver"));
     return make_solver(variables);
   }
