@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <string_view>
 
 #include "base/file_error.h"
 #include "solitaire/names/resolver.h"
@@ -29,7 +30,9 @@ class Loader {
   std::uint32_t load(const std::filesystem::path& path, std::string name, std::string text) {
     const auto number = static_cast<std::uint32_t>(program_.modules.size());
     const std::uint32_t source = program_.sources.add(std::move(name), std::move(text));
-    program_.modules.push_back({path, source, parse(program_.sources, source, diagnostics_), {}, {}});
+    std::string label = number == 0 ? "" : new_label(path);
+    program_.modules.push_back(
+        {path, std::move(label), source, parse(program_.sources, source, diagnostics_), {}, {}});
     loading_.push_back(number);
     // The vector of modules grows in the loop; the statements themselves stay where they are.
     const std::vector<StmtPtr>& statements = program_.modules[number].tree.top->body->statements;
@@ -41,6 +44,21 @@ class Loader {
     loading_.pop_back();
     order_.push_back(number);
     return number;
+  }
+
+  /// Makes a Module::label that no module has yet. Characters that mean something in an address, or in a
+  /// pattern over addresses, are replaced.
+  std::string new_label(const std::filesystem::path& path) const {
+    std::string name = path.stem().string();
+    std::ranges::replace_if(
+        name, [](char c) { return std::string_view("/[]*#=").find(c) != std::string_view::npos; }, '_');
+    name += ".sol";
+    const auto is_taken = [this](const std::string& label) {
+      return std::ranges::any_of(program_.modules, [&](const Module& other) { return other.label == label; });
+    };
+    std::string label = name;
+    for (int count = 2; is_taken(label); ++count) label = fmt::format("{}#{}", name, count);
+    return label;
   }
 
   void load_import(std::uint32_t importer, ImportStmt& import) {

@@ -13,6 +13,10 @@ namespace solitaire {
 /// One file of a program. Its top-level names are what an import of it brings.
 struct Module {
   std::filesystem::path path;
+  /// The step that stands for this file in the addresses of what its top level does: "part.sol", with "#2"
+  /// behind it if another file of that name came before. Its dot keeps it apart from the labels of calls.
+  /// Empty for the script itself.
+  std::string label;
   std::uint32_t source = 0;
   SyntaxTree tree;
   std::vector<std::uint32_t> imports;  // modules, in the order of the import statements

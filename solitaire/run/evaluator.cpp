@@ -80,7 +80,8 @@ Value Evaluator::run_module(std::uint32_t module) {
   activation.frame = module_frames_[module];
   activation.module = module;
   activation.caller = current_;
-  activation.address = addresses_.root();
+  const std::string& label = program_.modules[module].label;
+  activation.address = label.empty() ? addresses_.root() : addresses_.site(addresses_.root(), label);
   activation.has_address = true;
   return run_body(activation);
 }

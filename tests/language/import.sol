@@ -7,4 +7,4 @@ return [area(s), hidden[0], length([])];
 // set: unit_size = 4
 // expect: [25, 0, "not the builtin"]
 // expect: [25, 1, "not the builtin"]
-// expect choice: hidden = 1
+// expect choice: shapes.sol/hidden = 1

@@ -1,0 +1,2 @@
+depth = range(1, 2);
+length = range(5, 5);
