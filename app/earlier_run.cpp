@@ -19,8 +19,9 @@ KnownChoices choices_of(const Json& file, const std::string& path) {
     for (const Json& choice : file.at("choices")) {
       const Json& value = choice.at("value");
       choices.push_back({choice.at("at").get<std::string>(),
-                         value.is_boolean() ? ChoiceKind::kBool : ChoiceKind::kInt,
-                         value.is_boolean() ? value.get<bool>() : value.get<std::int64_t>()});
+                         value.is_boolean() ? Distribution::Family::kFlip : Distribution::Family::kRange,
+                         value.is_boolean() ? TypedScalar::of(value.get<bool>())
+                                            : TypedScalar::of(value.get<std::int64_t>())});
     }
   } catch (const Json::exception&) {
     throw FileError(path, "is not the .json file of a solution");

@@ -44,8 +44,8 @@ const char* kind_of(const Condition& condition) {
   return "";
 }
 
-std::string value_text(std::int64_t value, ChoiceKind kind) {
-  if (kind == ChoiceKind::kBool) return value != 0 ? "true" : "false";
+std::string value_text(std::int64_t value, Distribution::Family kind) {
+  if (kind == Distribution::Family::kFlip) return value != 0 ? "true" : "false";
   return fmt::to_string(value);
 }
 
@@ -83,15 +83,16 @@ Json place_json(Span span, const SourceSet& sources) {
   return {{"file", source.name()}, {"line", at.line}, {"column", at.column}, {"text", quote(span, sources)}};
 }
 
-std::string listed(const std::vector<std::int64_t>& values, ChoiceKind kind) {
+std::string listed(const std::vector<std::int64_t>& values, Distribution::Family kind) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < values.size();) {
     std::size_t last = i;
     while (last + 1 < values.size() && values[last + 1] == values[last] + 1) ++last;
     const std::string first = value_text(values[i], kind);
-    parts.push_back(last > i + 1 && kind != ChoiceKind::kBool ? fmt::format("{}..{}", first, values[last])
-                                                              : first);
-    i = last > i + 1 && kind != ChoiceKind::kBool ? last + 1 : i + 1;
+    parts.push_back(last > i + 1 && kind != Distribution::Family::kFlip
+                        ? fmt::format("{}..{}", first, values[last])
+                        : first);
+    i = last > i + 1 && kind != Distribution::Family::kFlip ? last + 1 : i + 1;
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -110,7 +111,7 @@ std::string words_of(const Condition& condition, const ExplanationContext& conte
   const std::string choice = context.addresses.text(condition.address);
   if (condition.pin != nullptr) {
     return fmt::format("{} is {}{}, by {}", choice, condition.pin->forbidden ? "not " : "",
-                       value_text(condition.pin->value, condition.domain->kind), condition.pin->source);
+                       value_text(condition.pin->value, condition.domain->family), condition.pin->source);
   }
   switch (condition.requirement) {
     case ConstraintKind::kAssert:
@@ -165,7 +166,7 @@ std::string dead_text(const DeadAsserts& asserts, const SourceSet& sources) {
 
 std::string values_text(const ReachableValues& choice, const ExplanationContext& context) {
   const std::string address = context.addresses.text(choice.address);
-  const ChoiceKind kind = choice.domain.kind;
+  const Distribution::Family kind = choice.domain.family;
   if (choice.values.empty()) {
     return fmt::format(
         "{}: {}\n", address,

@@ -39,8 +39,7 @@ std::string members(const Solution& solution, const SourceSet& sources) {
     text += text.back() == '[' ? "{\"at\":" : ",{\"at\":";
     text += json_string(choice.address);
     text += ",\"value\":";
-    text += choice.kind == ChoiceKind::kBool ? (choice.value != 0 ? "true" : "false")
-                                             : std::to_string(choice.value);
+    text += to_text(choice.value);
     text += '}';
   }
   return text + ']';

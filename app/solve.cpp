@@ -14,11 +14,7 @@ std::string as_text(std::uint64_t number, const Solution& solution, const Source
   for (const Rejection& broken : solution.execution.broken)
     text += fmt::format("  broken: {}\n", broken_text(broken, sources));
   for (const AnsweredChoice& choice : solution.answers) {
-    if (choice.kind == ChoiceKind::kBool) {
-      text += fmt::format("  {} = {}\n", choice.address, choice.value != 0);
-    } else {
-      text += fmt::format("  {} = {}\n", choice.address, choice.value);
-    }
+    text += fmt::format("  {} = {}\n", choice.address, to_text(choice.value));
   }
   return text;
 }

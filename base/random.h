@@ -31,6 +31,9 @@ class RandomStream {
     return number % bound;
   }
 
+  /// Uniform over the 2^53 - 1 multiples of 2^-53 strictly between 0 and 1.
+  double uniform() { return static_cast<double>(1 + below((std::uint64_t{1} << 53) - 1)) * 0x1p-53; }
+
  private:
   std::uint64_t key_;
   std::uint64_t counter_ = 0;

@@ -26,7 +26,7 @@ void add_values(Features& features, const std::string& name, const Value& value)
 
 Features choice_features(const std::vector<AnsweredChoice>& choices) {
   Features features;
-  for (const AnsweredChoice& choice : choices) features.emplace(choice.address, std::to_string(choice.value));
+  for (const AnsweredChoice& choice : choices) features.emplace(choice.address, to_text(choice.value));
   return features;
 }
 

@@ -6,7 +6,7 @@ std::vector<AnsweredChoice> readable(const std::vector<MetChoice>& choices, cons
   std::vector<AnsweredChoice> result;
   result.reserve(choices.size());
   for (const MetChoice& choice : choices) {
-    result.push_back({addresses.text(choice.address), choice.domain.kind, choice.value});
+    result.push_back({addresses.text(choice.address), choice.domain.family, choice.value});
   }
   return result;
 }

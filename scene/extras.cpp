@@ -85,7 +85,8 @@ GltfValue from_json_text(const Placement& placement, const std::string& name, co
 }
 
 GltfValue choice_value(const AnsweredChoice& choice) {
-  return choice.kind == AnsweredChoice::Kind::kBool ? GltfValue(choice.value != 0) : integer(choice.value);
+  return choice.kind == Distribution::Family::kFlip ? GltfValue(choice.value.as_int() != 0)
+                                                    : integer(choice.value.as_int());
 }
 
 GltfValue choices_value(const std::vector<AnsweredChoice>& choices) {

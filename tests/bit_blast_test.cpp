@@ -23,9 +23,9 @@ namespace {
 class Thicket {
  public:
   /// Total: without divisions by what can be zero, of which solvers make what they like.
-  Thicket(std::uint64_t seed, bool total, std::vector<ChoiceDomain> given)
+  Thicket(std::uint64_t seed, bool total, std::vector<Distribution> given)
       : domains(std::move(given)), random_(seed), total_(total) {
-    for (const ChoiceDomain& domain : domains) {
+    for (const Distribution& domain : domains) {
       const AddressId address = addresses.site(addresses.root(), std::to_string(ints_.size()));
       ints_.push_back(graph.choice({address, domain}));
     }
@@ -66,9 +66,9 @@ class Thicket {
   /// Calls `visit` with every assignment of the choices.
   void each_assignment(const std::function<void(Assignment&)>& visit) const {
     std::vector<std::int64_t> values;
-    for (const ChoiceDomain& domain : domains) values.push_back(domain.lo);
+    for (const Distribution& domain : domains) values.push_back(domain.lo);
     while (true) {
-      Assignment assignment(graph, [&](std::size_t variable) { return values[variable]; });
+      Assignment assignment(graph, [&](std::size_t variable) { return Scalar::of(values[variable]); });
       visit(assignment);
       std::size_t at = 0;
       while (at < values.size() && (values[at] += domains[at].step) > domains[at].hi) {
@@ -81,7 +81,7 @@ class Thicket {
 
   Graph graph;
   AddressTable addresses;
-  std::vector<ChoiceDomain> domains;
+  std::vector<Distribution> domains;
 
  private:
   std::vector<NodeId>& nodes(Type type) { return type == Type::kBool ? bools_ : ints_; }
@@ -91,7 +91,7 @@ class Thicket {
   std::vector<NodeId> ints_, bools_;
 };
 
-const std::vector<ChoiceDomain> kFew = {{-2, 2, 1, {}}, {0, 1, 1, {}}, {3, 9, 3, {}}, {-4, -1, 1, {}}};
+const std::vector<Distribution> kFew = {{-2, 2, 1, {}}, {0, 1, 1, {}}, {3, 9, 3, {}}, {-4, -1, 1, {}}};
 
 using Clauses = std::vector<std::vector<NodeId>>;
 
@@ -132,11 +132,11 @@ Clauses with(Clauses clauses, const std::vector<NodeId>& units) {
 void check_model(const Thicket& thicket, Solver& solver, const Clauses& clauses) {
   std::vector<std::int64_t> values;
   for (std::size_t i = 0; i < thicket.graph.variables().size(); ++i) {
-    const ChoiceDomain& domain = thicket.graph.variables()[i].domain;
+    const Distribution& domain = thicket.graph.variables()[i].domain;
     values.push_back(solver.value(i));
     REQUIRE((domain.lo <= values[i] && values[i] <= domain.hi && (values[i] - domain.lo) % domain.step == 0));
   }
-  Assignment model(thicket.graph, [&](std::size_t variable) { return values[variable]; });
+  Assignment model(thicket.graph, [&](std::size_t variable) { return Scalar::of(values[variable]); });
   REQUIRE(truth(model, clauses) != Truth::kFails);
 }
 
@@ -153,7 +153,7 @@ TEST_CASE(
     for (int round = 0; round < 12; ++round) {
       for (int i = 0; i < 15; ++i) thicket.grow();
       for (std::size_t i = 0; diverse && i < thicket.graph.variables().size(); ++i) {
-        const ChoiceDomain& domain = thicket.graph.variables()[i].domain;
+        const Distribution& domain = thicket.graph.variables()[i].domain;
         const std::int64_t steps = (domain.hi - domain.lo) / domain.step + 1;
         solver->suggest(i, domain.lo + domain.step * static_cast<std::int64_t>(
                                                          random() % static_cast<std::uint64_t>(steps)));
@@ -239,7 +239,7 @@ TEST_CASE("cadical: agrees with Z3 on random graphs") {
 
 /// A graph of ints to divide.
 struct Quotients {
-  Quotients(const ChoiceDomain& a, const ChoiceDomain& b)
+  Quotients(const Distribution& a, const Distribution& b)
       : x(graph.choice({addresses.site(addresses.root(), "x"), a})),
         y(graph.choice({addresses.site(addresses.root(), "y"), b})) {}
   NodeId is(NodeId node, std::int64_t value) {
@@ -253,8 +253,8 @@ struct Quotients {
 
 TEST_CASE("cadical: a division by zero that does not matter rules nothing out") {
   const StopSignal never;
-  for (const ChoiceDomain& a : {ChoiceDomain{0, 9, 1, {}}, {-9, 9, 1, {}}, {-9, -1, 1, {}}}) {
-    for (const ChoiceDomain& b : {ChoiceDomain{0, 3, 1, {}}, {-2, 2, 1, {}}, {-4, 0, 1, {}}}) {
+  for (const Distribution& a : {Distribution{0, 9, 1, {}}, {-9, 9, 1, {}}, {-9, -1, 1, {}}}) {
+    for (const Distribution& b : {Distribution{0, 3, 1, {}}, {-2, 2, 1, {}}, {-4, 0, 1, {}}}) {
       Quotients q(a, b);
       const auto solver = make_cadical_solver(q.graph, {});
       const NodeId quotient = q.graph.apply(Op::kDiv, {q.x, q.y});
@@ -275,10 +275,10 @@ TEST_CASE("cadical: a division by zero that does not matter rules nothing out") 
 
 TEST_CASE("cadical: with each pair of values excluded once found, every pair is found once") {
   const StopSignal never;
-  const std::vector<ChoiceDomain> domains = {
+  const std::vector<Distribution> domains = {
       {0, 1, 1, {}}, {-3, 4, 1, {}}, {-9, -2, 1, {}}, {5, 6, 1, {}}, {-5, 16, 7, {}}};
-  for (const ChoiceDomain& a : domains) {
-    for (const ChoiceDomain& b : domains) {
+  for (const Distribution& a : domains) {
+    for (const Distribution& b : domains) {
       Quotients q(a, b);
       const auto solver = make_cadical_solver(q.graph, {});
       std::size_t found = 0;
@@ -287,7 +287,7 @@ TEST_CASE("cadical: with each pair of values excluded once found, every pair is 
                                   q.graph.negation(q.is(q.y, solver->value(1)))};
         solver->add_clause(differs);
       }
-      const auto size = [](const ChoiceDomain& domain) { return (domain.hi - domain.lo) / domain.step + 1; };
+      const auto size = [](const Distribution& domain) { return (domain.hi - domain.lo) / domain.step + 1; };
       REQUIRE(found == static_cast<std::size_t>(size(a) * size(b)));
     }
   }
@@ -492,7 +492,7 @@ TEST_CASE("cadical: graphs may be deeper than the machine's stack") {
   const auto solver = make_cadical_solver(graph, {});
   solver->add_clause({&deep, 1});
   REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
-  Assignment model(graph, [&](std::size_t variable) { return solver->value(variable); });
+  Assignment model(graph, [&](std::size_t variable) { return Scalar::of(solver->value(variable)); });
   CHECK(model.holds(deep));
 }
 

@@ -496,9 +496,10 @@ void check_all_by_brute_force(const std::string& text, const std::vector<std::st
   while (const auto solution = engine.next()) {
     json choices = json::array();
     for (const AnsweredChoice& choice : solution->answers) {
-      const bool is_bool = choice.kind == ChoiceKind::kBool;
+      const bool is_bool = choice.kind == Distribution::Family::kFlip;
       choices.push_back(
-          {{"at", choice.address}, {"value", is_bool ? json(choice.value != 0) : json(choice.value)}});
+          {{"at", choice.address},
+           {"value", is_bool ? json(choice.value.as_int() != 0) : json(choice.value.as_int())}});
     }
     expected.push_back(choices.dump() + json::parse(to_json(solution->execution.value)).dump());
   }

@@ -51,9 +51,10 @@ struct Freedom {
   bool all = false;
   std::int64_t width = 0;
 
-  ChoiceDomain widen(const std::string& address, const ChoiceDomain& domain) const {
-    if (domain.kind != ChoiceKind::kInt || (!all && addresses.count(address) == 0)) return domain;
-    return {domain.lo - width, domain.hi + width, 1, domain.kind};
+  Distribution widen(const std::string& address, const Distribution& domain) const {
+    if (domain.family != Distribution::Family::kRange || (!all && addresses.count(address) == 0))
+      return domain;
+    return {domain.lo - width, domain.hi + width, 1, domain.family};
   }
 };
 
@@ -61,7 +62,7 @@ class FreeExhaustiveChoices : public ExhaustiveChoices {
  public:
   FreeExhaustiveChoices(const Freedom& freedom, const AddressTable& addresses)
       : freedom_(freedom), addresses_(addresses) {}
-  ChoiceDomain widened(AddressId address, const ChoiceDomain& domain) override {
+  Distribution widened(AddressId address, const Distribution& domain) override {
     return freedom_.widen(addresses_.text(address), domain);
   }
 
@@ -74,7 +75,7 @@ class FreeChoices : public OpenChoices {
  public:
   FreeChoices(const Freedom& freedom, const AddressTable& addresses)
       : freedom_(freedom), addresses_(addresses) {}
-  ChoiceDomain widened(AddressId address, const ChoiceDomain& domain) override {
+  Distribution widened(AddressId address, const Distribution& domain) override {
     return freedom_.widen(addresses_.text(address), domain);
   }
 
@@ -115,7 +116,7 @@ class BruteForce {
     for (const Rejection& each : execution.broken) keys.insert(key_of(each));
     for (const MetChoice& choice : execution.choices) {
       for (const Pin* pin : pins_.at(choice.address)) {
-        if ((choice.value == pin->value) != pin->forbidden) continue;
+        if ((choice.value.as_int() == pin->value) != pin->forbidden) continue;
         keys.insert({{}, 0, 0, 0, addresses_.text(choice.address), pin->source});
       }
     }
@@ -347,7 +348,7 @@ Checked check_values(const RunOfProgram& run, const std::vector<ReachableValues>
   const bool complete = brute_force.each({}, [&](const Execution& execution, const Keys& broken) {
     if (!broken.empty()) return;
     for (const MetChoice& choice : execution.choices)
-      values[brute_force.addresses().text(choice.address)].insert(choice.value);
+      values[brute_force.addresses().text(choice.address)].insert(choice.value.as_int());
   });
   if (!complete) return {"", false};
   for (const ReachableValues& choice : choices) {

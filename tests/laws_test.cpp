@@ -381,8 +381,8 @@ TEST_CASE("bit_width: the fewest bits that hold the interval") {
 class Sketch {
  public:
   Sketch(std::uint64_t seed, bool with_floats) : random_(seed), with_floats_(with_floats) {
-    const ChoiceDomain domains[] = {{-3, 2, 1, {}}, {0, 1, 1, {}}, {4, 8, 1, {}}, {-8, 7, 5, {}}};
-    for (const ChoiceDomain& domain : domains) {
+    const Distribution domains[] = {{-3, 2, 1, {}}, {0, 1, 1, {}}, {4, 8, 1, {}}, {-8, 7, 5, {}}};
+    for (const Distribution& domain : domains) {
       variables.push_back(
           graph.choice({addresses.site(addresses.root(), std::to_string(variables.size())), domain}));
       values_.emplace_back();
@@ -481,8 +481,8 @@ TEST_CASE("graph: folding, simplifying and ordering operands change no value, an
     Sketch sketch(seed, true);
     for (int i = 0; i < 120; ++i) sketch.grow();
     for (std::size_t i = 0; i < sketch.assignments.size(); ++i) {
-      Assignment assignment(sketch.graph,
-                            [&](std::size_t variable) { return sketch.assignments[i][variable]; });
+      Assignment assignment(
+          sketch.graph, [&](std::size_t variable) { return Scalar::of(sketch.assignments[i][variable]); });
       for (const Sketch::Known& known : sketch.known) {
         const Result& wanted = known.meaning[i];
         if (!wanted) continue;
@@ -531,14 +531,14 @@ struct Cadical {
   }
 };
 
-const ChoiceDomain kDomains[] = {
+const Distribution kDomains[] = {
     {0, 1, 1, {}},      {0, 3, 1, {}},       {0, 4, 1, {}},   {1, 4, 1, {}},     {-3, 2, 1, {}},
     {-4, -1, 1, {}},    {-1, 1, 1, {}},      {-8, -7, 1, {}}, {5, 8, 1, {}},     {-4, 3, 1, {}},
     {-7, 2, 3, {}},     {10, 14, 2, {}},     {-5, 5, 5, {}},  {127, 129, 1, {}}, {-129, -127, 1, {}},
     {0, 1000, 250, {}}, {-128, 127, 51, {}},
 };
 
-std::vector<std::int64_t> values_of(const ChoiceDomain& domain) {
+std::vector<std::int64_t> values_of(const Distribution& domain) {
   std::vector<std::int64_t> values;
   for (std::int64_t v = domain.lo; v <= domain.hi; v += domain.step) values.push_back(v);
   return values;
@@ -546,7 +546,7 @@ std::vector<std::int64_t> values_of(const ChoiceDomain& domain) {
 
 /// A graph of a few choices, for asking a solver about.
 struct Puzzle {
-  NodeId choice(const ChoiceDomain& domain) {
+  NodeId choice(const Distribution& domain) {
     variables.push_back(
         graph.choice({addresses.site(addresses.root(), std::to_string(variables.size())), domain}));
     return variables.back();
@@ -573,7 +573,7 @@ struct Puzzle {
 
 TEST_CASE_TEMPLATE("solver: a choice takes the values of its domain, each and no other", BackEnd, Z3,
                    Cadical) {
-  for (const ChoiceDomain& domain : kDomains) {
+  for (const Distribution& domain : kDomains) {
     Puzzle puzzle;
     const NodeId x = puzzle.choice(domain);
     const NodeId known = puzzle.graph.apply(Op::kLeInt, {x, puzzle.choice({-2000, 2000, 1, {}})});
@@ -591,10 +591,10 @@ TEST_CASE_TEMPLATE("solver: a choice takes the values of its domain, each and no
 }
 
 /// Under which values of the operands the encoding and the fold differ, over all operations; or kFalse.
-NodeId difference(Puzzle& puzzle, const std::vector<ChoiceDomain>& domains, std::optional<Op> only) {
+NodeId difference(Puzzle& puzzle, const std::vector<Distribution>& domains, std::optional<Op> only) {
   Graph& graph = puzzle.graph;
   std::vector<std::vector<std::int64_t>> values;
-  for (const ChoiceDomain& domain : domains) values.push_back(values_of(domain));
+  for (const Distribution& domain : domains) values.push_back(values_of(domain));
   NodeId differ = kFalse;
   each_operation([&](const Operation& row) {
     if (!on_ints(row) || row.arity > domains.size() || (only && row.op != *only)) return;
@@ -628,9 +628,9 @@ NodeId difference(Puzzle& puzzle, const std::vector<ChoiceDomain>& domains, std:
 }
 
 template <class BackEnd>
-void check_encoding(const std::vector<ChoiceDomain>& domains) {
+void check_encoding(const std::vector<Distribution>& domains) {
   Puzzle puzzle;
-  for (const ChoiceDomain& domain : domains) puzzle.choice(domain);
+  for (const Distribution& domain : domains) puzzle.choice(domain);
   if (!puzzle.possible<BackEnd>(difference(puzzle, domains, std::nullopt))) return;
   each_operation([&](const Operation& row) {
     if (!on_ints(row) || !puzzle.possible<BackEnd>(difference(puzzle, domains, row.op))) return;
@@ -641,8 +641,8 @@ void check_encoding(const std::vector<ChoiceDomain>& domains) {
 
 TEST_CASE_TEMPLATE("solver: the encoding of every operation agrees with its fold, over pairs of domains",
                    BackEnd, Z3, Cadical) {
-  for (const ChoiceDomain& a : kDomains) {
-    for (const ChoiceDomain& b : kDomains) check_encoding<BackEnd>({a, b});
+  for (const Distribution& a : kDomains) {
+    for (const Distribution& b : kDomains) check_encoding<BackEnd>({a, b});
   }
 }
 
@@ -657,11 +657,11 @@ TEST_CASE_TEMPLATE("solver: the encoding of every operation agrees with its fold
 }
 
 TEST_CASE_TEMPLATE("solver: the encoding holds out to the ends of the exact range", BackEnd, Z3, Cadical) {
-  const ChoiceDomain top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
-  const ChoiceDomain half{(std::int64_t{1} << 61) - 1, std::int64_t{1} << 61, 1, {}};
-  const ChoiceDomain whole{-kIntLimit, kIntLimit, kIntLimit, {}};
-  const ChoiceDomain sign{-1, 1, 1, {}}, small{2, 3, 1, {}};
-  const std::pair<ChoiceDomain, ChoiceDomain> pairs[] = {{top, bottom},   {top, sign},  {bottom, sign},
+  const Distribution top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
+  const Distribution half{(std::int64_t{1} << 61) - 1, std::int64_t{1} << 61, 1, {}};
+  const Distribution whole{-kIntLimit, kIntLimit, kIntLimit, {}};
+  const Distribution sign{-1, 1, 1, {}}, small{2, 3, 1, {}};
+  const std::pair<Distribution, Distribution> pairs[] = {{top, bottom},   {top, sign},  {bottom, sign},
                                                          {bottom, small}, {half, half}, {whole, half}};
   for (const auto& [a, b] : pairs) check_encoding<BackEnd>({a, b});
 }

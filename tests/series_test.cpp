@@ -23,7 +23,7 @@ std::vector<std::string> take(Series& series, std::size_t count) {
     if (!solution) break;
     std::string text;
     for (const AnsweredChoice& choice : solution->answers)
-      text += fmt::format("{}={} ", choice.address, choice.value);
+      text += fmt::format("{}={} ", choice.address, to_text(choice.value));
     taken.push_back(std::move(text));
   }
   return taken;
@@ -171,13 +171,17 @@ TEST_CASE("series: every solution is run by default, also those that come from a
   CHECK(second.times().replays == 3);
 }
 
+AnsweredChoice int_choice(const char* address, std::int64_t value) {
+  return {address, Distribution::Family::kRange, TypedScalar::of(value)};
+}
+
 TEST_CASE("series: what is no solution of the program is refused, by its number") {
   const Program program = program_of("x = range(0, 3); y = range(0, 3); assert(x < y); return x;");
   const std::vector<std::vector<KnownChoices>> wrong = {
-      {{{"x", ChoiceKind::kInt, 2}, {"y", ChoiceKind::kInt, 1}}},   // its assert fails
-      {{{"x", ChoiceKind::kInt, -1}, {"y", ChoiceKind::kInt, 1}}},  // a value out of the range
-      {{{"x", ChoiceKind::kInt, 1}}},                               // a choice is missing
-      {{{"x", ChoiceKind::kInt, 1}, {"y", ChoiceKind::kInt, 2}, {"z", ChoiceKind::kInt, 2}}},
+      {{int_choice("x", 2), int_choice("y", 1)}},   // its assert fails
+      {{int_choice("x", -1), int_choice("y", 1)}},  // a value out of the range
+      {{int_choice("x", 1)}},                       // a choice is missing
+      {{int_choice("x", 1), int_choice("y", 2), int_choice("z", 2)}},
   };
   for (const auto& earlier : wrong) {
     Series series(program, {}, {}, {});

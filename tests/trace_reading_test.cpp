@@ -33,11 +33,11 @@ struct Whole {
   Assignment assignment(const Solution& solution) {
     std::map<AddressId, std::int64_t> values;
     for (const AnsweredChoice& choice : solution.answers)
-      values[addresses.address(choice.address)] = choice.value;
+      values[addresses.address(choice.address)] = choice.value.as_int();
     return {graph, [this, values](std::size_t number) {
               const ChoiceVariable& variable = graph.variables()[number];
               const auto it = values.find(variable.address);
-              return it == values.end() ? variable.domain.lo : it->second;
+              return Scalar::of(it == values.end() ? variable.domain.lo : it->second);
             }};
   }
 
@@ -117,7 +117,8 @@ TEST_CASE("reading: an execution that fails an assert, or goes where the trace d
   CHECK(solutions == whole.solutions.size());
   const TraceAssert& required = whole.pass.trace.asserts.front();
   Assignment broken(whole.graph, [&](std::size_t number) {
-    return whole.graph.variables()[number].domain.kind == ChoiceKind::kBool ? 0 : 2;
+    const bool is_bool = whole.graph.variables()[number].domain.type() == Type::kBool;
+    return Scalar::of(std::int64_t{is_bool ? 0 : 2});
   });
   REQUIRE(broken.holds(required.guard));
   CHECK(!read_execution(whole.program, whole.pass, whole.addresses, broken, true));

@@ -56,7 +56,7 @@ TracingOptions options_of(const Sampled& program, std::uint64_t seed) {
 std::string text_of(const Solution& solution) {
   std::string text;
   for (const AnsweredChoice& choice : solution.answers)
-    text += fmt::format("{}={} ", choice.address, choice.value);
+    text += fmt::format("{}={} ", choice.address, to_text(choice.value));
   return text;
 }
 

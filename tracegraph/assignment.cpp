@@ -2,7 +2,7 @@
 
 namespace solitaire {
 
-Assignment::Assignment(const Graph& graph, std::function<std::int64_t(std::size_t)> value_of)
+Assignment::Assignment(const Graph& graph, std::function<Scalar(std::size_t)> value_of)
     : graph_(graph),
       value_of_(std::move(value_of)),
       states_(graph.size()),
@@ -35,8 +35,8 @@ void Assignment::compute(NodeId id) {
   std::optional<Scalar> result;
   if (node.is_constant()) {
     result = graph_.scalar(id);
-  } else if (node.op == Op::kChoice) {
-    result = Scalar::of(value_of_(node.payload));
+  } else if (is_choice(node.op)) {
+    result = value_of_(node.payload);
   } else {
     std::array<Scalar, 3> operands{};
     std::array<bool, 3> known{};

@@ -12,7 +12,7 @@ namespace solitaire {
 class Assignment {
  public:
   /// `value_of` gives each choice variable (by its number in graph.variables()) its value.
-  Assignment(const Graph& graph, std::function<std::int64_t(std::size_t)> value_of);
+  Assignment(const Graph& graph, std::function<Scalar(std::size_t)> value_of);
 
   /// The node's value; nothing where it depends on an operation without meaning, such as a division by zero.
   std::optional<Scalar> value(NodeId node);
@@ -25,7 +25,7 @@ class Assignment {
   State state(NodeId node) const { return states_[node.index]; }
 
   const Graph& graph_;
-  std::function<std::int64_t(std::size_t)> value_of_;
+  std::function<Scalar(std::size_t)> value_of_;
   std::vector<State> states_;
   std::vector<Scalar> values_;
 };

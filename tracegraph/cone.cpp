@@ -12,7 +12,7 @@ std::set<std::size_t> variables_below(const Graph& graph, std::span<const NodeId
   while (!pending.empty()) {
     const Graph::Node& node = graph.node(pending.back());
     pending.pop_back();
-    if (node.op == Op::kChoice) variables.insert(node.payload);
+    if (is_choice(node.op)) variables.insert(node.payload);
     for (const NodeId operand : node.args()) {
       if (seen.insert(operand).second) pending.push_back(operand);
     }

@@ -19,17 +19,19 @@ Graph::Graph() {
 }
 
 std::size_t Graph::VariableHash::operator()(const ChoiceVariable& variable) const {
-  const ChoiceDomain& domain = variable.domain;
-  std::uint64_t hash = mix(variable.address.index, static_cast<std::uint64_t>(domain.lo));
-  hash = mix(hash, static_cast<std::uint64_t>(domain.hi));
-  return mix(hash, static_cast<std::uint64_t>(domain.step) * 4 + static_cast<std::uint64_t>(domain.kind));
+  const Distribution& domain = variable.domain;
+  std::uint64_t hash = mix(variable.address.index, static_cast<std::uint64_t>(domain.family));
+  for (const std::int64_t each : {domain.lo, domain.hi, domain.step})
+    hash = mix(hash, static_cast<std::uint64_t>(each));
+  for (const double each : {domain.a, domain.b}) hash = mix(hash, std::hash<double>{}(each));
+  return hash;
 }
 
 inline std::uint64_t Graph::hash(const Node& node) {
   const auto [a, b, c] = node.operands;  // those that it has not are 0
   std::uint64_t hash = mix(std::uint64_t{a.index} << 32 | b.index,
                            std::uint64_t{c.index} << 32 | static_cast<std::uint64_t>(node.op));
-  if (!node.is_constant() && node.op != Op::kChoice) return hash;
+  if (!node.is_constant() && !is_choice(node.op)) return hash;
   hash = mix(hash, node.payload);
   return mix(hash, static_cast<std::uint64_t>(node.interval.lo));
 }
@@ -90,13 +92,14 @@ Scalar Graph::scalar(NodeId id) const {
 }
 
 NodeId Graph::choice(const ChoiceVariable& variable) {
-  const ChoiceDomain& domain = variable.domain;
-  if (domain.lo == domain.hi) return constant(domain.lo);
+  const Distribution& domain = variable.domain;
+  if (domain.is_finite() && domain.size() == 1) return constant(domain.lo);
   const auto [it, added] = variable_ids_.try_emplace(variable, static_cast<std::uint32_t>(variables_.size()));
   if (added) {
-    const std::int64_t last = domain.hi - (domain.hi - domain.lo) % domain.step;
     variables_.push_back(variable);
-    variable_nodes_.push_back(intern({Op::kChoice, false, {}, {domain.lo, last}, it->second}));
+    variable_nodes_.push_back(domain.is_finite()
+                                  ? intern({Op::kChoice, false, {}, domain.interval(), it->second})
+                                  : intern({Op::kChoiceFloat, true, {}, {}, it->second}));
   }
   return variable_nodes_[it->second];
 }

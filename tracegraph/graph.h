@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tracegraph/address.h"
+#include "tracegraph/distribution.h"
 #include "tracegraph/op.h"
 
 namespace solitaire {
@@ -20,26 +21,10 @@ struct NodeId {
 inline constexpr NodeId kFalse{0};
 inline constexpr NodeId kTrue{1};
 
-/// What a choice is to its author: an int from range(), a bool from flip(), a list position from choose().
-enum class ChoiceKind : std::uint8_t { kInt, kBool, kIndex };
-
-/// The values a choice can take: lo, lo + step, ... up to hi. lo <= hi, step >= 1.
-struct ChoiceDomain {
-  std::int64_t lo = 0;
-  std::int64_t hi = 0;
-  std::int64_t step = 1;
-  ChoiceKind kind = ChoiceKind::kInt;
-
-  constexpr bool contains(std::int64_t value) const {
-    return lo <= value && value <= hi && (value - lo) % step == 0;
-  }
-  friend bool operator==(const ChoiceDomain&, const ChoiceDomain&) = default;
-};
-
 /// A choice left open: the unknown that a solver gives a value.
 struct ChoiceVariable {
   AddressId address;
-  ChoiceDomain domain;
+  Distribution domain;
   friend bool operator==(const ChoiceVariable&, const ChoiceVariable&) = default;
 };
 
@@ -78,6 +63,8 @@ class Graph {
   NodeId constant(bool value) { return value ? kTrue : kFalse; }
   NodeId constant(std::int64_t value);
   NodeId constant(double value);
+  /// The choice as a node: an int for an int or, as 0 or 1, a bool; a float for a float. A choice with one
+  /// value alone is a constant.
   NodeId choice(const ChoiceVariable& variable);
 
   /// The operation applied to nodes of its operand types.

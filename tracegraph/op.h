@@ -5,10 +5,9 @@
 #include <string_view>
 
 #include "tracegraph/interval.h"
+#include "tracegraph/scalar.h"
 
 namespace solitaire {
-
-enum class Type : std::uint8_t { kBool, kInt, kFloat };
 
 /// The operations of the trace graph. One table (operation()) says everything about each of them but how a
 /// solver encodes it, which smt/ says in tables of the same order.
@@ -25,16 +24,6 @@ enum class Op : std::uint8_t {
 };
 // clang-format on
 inline constexpr std::size_t kOpCount = static_cast<std::size_t>(Op::kCount_);
-
-/// A constant of any type, untagged: `i` for ints and, as 0 or 1, bools; `f` for floats.
-union Scalar {
-  std::int64_t i;
-  double f;
-
-  static constexpr Scalar of(std::int64_t value) { return {.i = value}; }
-  static constexpr Scalar of(bool value) { return {.i = value ? 1 : 0}; }
-  static constexpr Scalar of(double value) { return {.f = value}; }
-};
 
 /// What an operation means on constants. It gives nothing where the operation has no meaning: a division by
 /// zero, an int past kIntLimit, the square root or logarithm of a negative number. Float arithmetic follows
@@ -65,6 +54,9 @@ struct Operation {
 
 extern const std::array<Operation, kOpCount> kOperations;
 inline const Operation& operation(Op op) { return kOperations[static_cast<std::size_t>(op)]; }
+
+/// Whether nodes of the operation are choices that were left open.
+constexpr bool is_choice(Op op) { return op == Op::kChoice || op == Op::kChoiceFloat; }
 
 /// The ite (phi) of that type: ite(condition, then, else).
 Op ite_of(Type type);

@@ -71,8 +71,18 @@ const char* requirement_text(ConstraintKind requirement) {
   return "";
 }
 
-std::string domain_text(const ChoiceDomain& domain) {
-  if (domain.kind == ChoiceKind::kBool) return "flip()";
+std::string domain_text(const Distribution& domain) {
+  switch (domain.family) {
+    case Distribution::Family::kFlip:
+      return domain.a == 0.5 ? "flip()" : fmt::format("flip({})", domain.a);
+    case Distribution::Family::kUniform:
+      return fmt::format("uniform({}, {})", domain.a, domain.b);
+    case Distribution::Family::kNormal:
+      return fmt::format("normal({}, {})", domain.a, domain.b);
+    case Distribution::Family::kRange:
+    case Distribution::Family::kIndex:
+      break;
+  }
   if (domain.step != 1) return fmt::format("range({}, {}, {})", domain.lo, domain.hi, domain.step);
   return fmt::format("range({}, {})", domain.lo, domain.hi);
 }
@@ -128,13 +138,13 @@ class TextPrinter {
     const Graph::Node& node = graph_.node(id);
     numbers_[id.index] = next_++;
     std::string comment;
-    if (node.op == Op::kChoice) comment = addresses_.text(graph_.variable(id).address);
+    if (is_choice(node.op)) comment = addresses_.text(graph_.variable(id).address);
     line(fmt::format("x{} <- {};", numbers_[id.index], expression(id)), comment);
   }
 
   std::string expression(NodeId id) const {
     const Graph::Node& node = graph_.node(id);
-    if (node.op == Op::kChoice) return domain_text(graph_.variable(id).domain);
+    if (is_choice(node.op)) return domain_text(graph_.variable(id).domain);
     const Operation& row = operation(node.op);
     if (!row.symbol.empty() && row.arity == 2) {
       return fmt::format("{} {} {}", name(node.operands[0]), row.symbol, name(node.operands[1]));
@@ -176,10 +186,10 @@ std::string trace_dot(const Graph& graph, const AddressTable& addresses, const T
     const Graph::Node& node = graph.node(id);
     std::string label(operation(node.op).name);
     if (node.is_constant()) label = constant_text(graph, id);
-    if (node.op == Op::kChoice)
+    if (is_choice(node.op))
       label = addresses.text(graph.variable(id).address) + "\n" + domain_text(graph.variable(id).domain);
     text += fmt::format("  n{} [label={}{}];\n", id.index, dot_string(label),
-                        node.op == Op::kChoice ? ", style=filled, fillcolor=lightblue" : "");
+                        is_choice(node.op) ? ", style=filled, fillcolor=lightblue" : "");
     const char* const roles[] = {"if", "then", "else"};
     std::size_t i = 0;
     for (const NodeId operand : node.args()) {

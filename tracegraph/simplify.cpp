@@ -154,7 +154,7 @@ std::optional<NodeId> Graph::simplify_equal(NodeId a, NodeId b) {
                                 apply(Op::kEqInt, {phi.operands[2], b})});
   }
   if (phi.op == Op::kChoice) {
-    const ChoiceDomain& domain = variables_[phi.payload].domain;
+    const Distribution& domain = variables_[phi.payload].domain;
     if ((node(b).interval.lo - domain.lo) % domain.step != 0) return kFalse;
   }
   return std::nullopt;

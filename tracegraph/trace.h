@@ -13,7 +13,7 @@ struct TraceChoice {
   NodeId guard;
   NodeId variable;  // a choice node, or a constant where only one value is possible
   AddressId address;
-  ChoiceDomain domain;
+  Distribution domain;
   Span span;
 };
 

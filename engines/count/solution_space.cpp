@@ -58,12 +58,12 @@ SpacePart::SpacePart(const Graph& graph, std::vector<std::size_t> variables, std
 
 std::optional<std::uint64_t> SpacePart::free_values() const {
   if (variables_.size() != 1 || !conditions_.empty()) return std::nullopt;
-  const ChoiceDomain& domain = graph_->variables()[variables_.front()].domain;
+  const Distribution& domain = graph_->variables()[variables_.front()].domain;
   return static_cast<std::uint64_t>(domain.hi - domain.lo) / static_cast<std::uint64_t>(domain.step) + 1;
 }
 
 std::int64_t SpacePart::free_value(std::uint64_t number) const {
-  const ChoiceDomain& domain = graph_->variables()[variables_.front()].domain;
+  const Distribution& domain = graph_->variables()[variables_.front()].domain;
   return domain.lo + static_cast<std::int64_t>(number) * domain.step;
 }
 
@@ -139,11 +139,11 @@ VariableValues SolutionSpace::lowest() const {
 
 VariableValues SolutionSpace::values_of(const KnownChoices& choices) const {
   std::unordered_map<std::string, std::int64_t> known;
-  for (const AnsweredChoice& choice : choices) known.emplace(choice.address, choice.value);
+  for (const AnsweredChoice& choice : choices) known.emplace(choice.address, choice.value.as_int());
   Assignment assignment(graph_, [&](std::size_t number) {
     const ChoiceVariable& variable = graph_.variables()[number];
     const auto value = known.find(addresses_.text(variable.address));
-    return value == known.end() ? variable.domain.lo : value->second;
+    return Scalar::of(value == known.end() ? variable.domain.lo : value->second);
   });
   VariableValues values = lowest();
   for (const auto& [variable, met] : met_) {

@@ -113,7 +113,8 @@ std::optional<Solution> UniformEngine::next() {
     while (!all_drawn()) {
       const VariableValues values = draw();
       if (!drawn_.insert(values).second) continue;
-      return engine_.run(Assignment(engine_.graph(), [&](std::size_t variable) { return values[variable]; }));
+      return engine_.run(
+          Assignment(engine_.graph(), [&](std::size_t variable) { return Scalar::of(values[variable]); }));
     }
     ending_ = Ending::kExhausted;
   } catch (const Interrupted&) {

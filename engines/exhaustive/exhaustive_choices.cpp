@@ -2,13 +2,13 @@
 
 namespace solitaire {
 
-std::optional<std::int64_t> ExhaustiveChoices::answer(AddressId address, const ChoiceDomain& domain) {
+std::optional<TypedScalar> ExhaustiveChoices::answer(AddressId address, const Distribution& domain) {
   // The same answers so far lead to the same next choice, so the digits read so far are this execution's.
   if (depth_ == digits_.size()) {
-    const ChoiceDomain possible = widened(address, domain);
+    const Distribution possible = widened(address, domain);
     digits_.push_back({possible.lo, possible.hi, possible.step});
   }
-  return digits_[depth_++].value;
+  return domain.typed(digits_[depth_++].value);
 }
 
 bool ExhaustiveChoices::advance() {

@@ -9,7 +9,7 @@ namespace solitaire {
 /// counting fastest; from lower to higher, within what a choice can be at most.
 class ExhaustiveChoices : public Choices {
  public:
-  std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain& domain) override;
+  std::optional<TypedScalar> answer(AddressId address, const Distribution& domain) override;
   /// Goes to the next execution; false if there is none.
   bool advance();
 

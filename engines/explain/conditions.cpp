@@ -29,7 +29,7 @@ std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pin
     traced.holds = graph.conjunction(traced.holds, holds);
     traced.met = graph.disjunction(traced.met, guard);
   };
-  std::map<AddressId, ChoiceDomain> domains;
+  std::map<AddressId, Distribution> domains;
   for (const TraceChoice& choice : trace.choices) domains.emplace(choice.address, choice.domain);
 
   for (const TraceAssert& each : trace.asserts) {

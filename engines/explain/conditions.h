@@ -18,7 +18,7 @@ struct Condition {
   Span whole;           // of an assert: the whole condition
   std::string message;  // the author's, or ""
   const Pin* pin = nullptr;
-  std::optional<ChoiceDomain> domain;  // the choice's: of a pin, and of an end that depends on no choice
+  std::optional<Distribution> domain;  // the choice's: of a pin, and of an end that depends on no choice
 
   /// The same condition in every pass, whatever is known about it.
   friend bool operator==(const Condition& a, const Condition& b) { return a.key() == b.key(); }

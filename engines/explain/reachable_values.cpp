@@ -12,7 +12,7 @@ constexpr std::uint64_t kMostListed = 256;
 /// Different solutions that are looked at before single values are asked for.
 constexpr std::uint64_t kSamples = 16;
 
-std::uint64_t size_of(const ChoiceDomain& domain) {
+std::uint64_t size_of(const Distribution& domain) {
   return static_cast<std::uint64_t>((domain.hi - domain.lo) / domain.step) + 1;
 }
 
@@ -64,7 +64,7 @@ class Survey {
         found_.push_back({choice.address, choice.span, choice.domain, {}});
         found_.back().pinned = pins_.value_at(choice.address).has_value();
       }
-      ChoiceDomain& domain = found_[it->second].domain;
+      Distribution& domain = found_[it->second].domain;
       domain.lo = std::min(domain.lo, choice.domain.lo);
       domain.hi = std::max(domain.hi, choice.domain.hi);
       found_[it->second].listed = size_of(domain) <= kMostListed;

@@ -9,7 +9,7 @@ namespace solitaire {
 struct ReachableValues {
   AddressId address;
   Span span;
-  ChoiceDomain domain;            // over all paths
+  Distribution domain;            // over all paths
   std::set<std::int64_t> values;  // that occur: all of them, or where there are too many the least and most
   bool listed = true;             // whether `values` is all of them
   bool pinned = false;

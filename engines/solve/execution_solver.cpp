@@ -77,7 +77,7 @@ void ExecutionSolver::suggest_random_values(std::uint64_t index) {
   RandomChoices random(RandomStream(options_.seed, Purpose::kSuggest, index));
   for (std::size_t i = 0; i < graph_.variables().size(); ++i) {
     const ChoiceVariable& variable = graph_.variables()[i];
-    if (!solver_->suggest(i, *random.answer(variable.address, variable.domain))) return;
+    if (!solver_->suggest(i, random.answer(variable.address, variable.domain)->as_int())) return;
   }
 }
 
@@ -192,7 +192,7 @@ bool ExecutionSolver::explore_fully(std::size_t most_passes) {
 }
 
 Assignment ExecutionSolver::assignment() {
-  return Assignment(graph_, [this](std::size_t variable) { return solver_->value(variable); });
+  return Assignment(graph_, [this](std::size_t variable) { return Scalar::of(solver_->value(variable)); });
 }
 
 Answers ExecutionSolver::answers() {

@@ -19,6 +19,7 @@ const std::vector<const Pin*>& Pins::at(AddressId address) {
 }
 
 std::optional<std::int64_t> Pins::value_at(AddressId address) {
+  if (pins_.empty()) return std::nullopt;
   for (const Pin* pin : at(address)) {
     if (!pin->forbidden) return pin->value;
   }

@@ -55,8 +55,10 @@ std::vector<PinnedChoice> pinned_choices(Graph& graph, const Trace& trace, Pins&
 class PinnedChoices : public Choices {
  public:
   explicit PinnedChoices(Pins& pins) : pins_(pins) {}
-  std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain&) override {
-    return pins_.empty() ? std::nullopt : pins_.value_at(address);
+  std::optional<TypedScalar> answer(AddressId address, const Distribution& domain) override {
+    const auto value = pins_.value_at(address);
+    if (!value) return std::nullopt;
+    return domain.typed(*value);
   }
 
  private:

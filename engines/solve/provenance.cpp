@@ -27,7 +27,7 @@ void TracingEngine::add_object_choices(Solution& solution) {
         return other.address == addresses_.text(address);
       });
       if (!known)
-        choices.push_back({addresses_.text(address), choice->second->domain.kind, choice->second->value});
+        choices.push_back({addresses_.text(address), choice->second->domain.family, choice->second->value});
     }
   }
 }

@@ -13,7 +13,8 @@ constexpr std::size_t kUnknownBlocks = 7;
 /// The choices as text, by which they are told apart. The kinds are not written down everywhere.
 std::string key(const KnownChoices& choices) {
   std::string text;
-  for (const AnsweredChoice& choice : choices) text += fmt::format("{}={}\n", choice.address, choice.value);
+  for (const AnsweredChoice& choice : choices)
+    text += fmt::format("{}={}\n", choice.address, to_text(choice.value));
   return text;
 }
 

@@ -27,13 +27,13 @@ class ModelChoices : public Choices {
   ModelChoices(const Answers& answers, const AddressTable& addresses)
       : answers_(answers), addresses_(addresses) {}
 
-  std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain&) override {
+  std::optional<TypedScalar> answer(AddressId address, const Distribution& domain) override {
     const auto it = answers_.find(address);
     if (it == answers_.end()) {
       throw InternalError("the replay met a choice that the model does not have: " +
                           addresses_.text(address));
     }
-    return it->second.second;
+    return domain.typed(it->second.second);
   }
 
  private:
@@ -48,7 +48,7 @@ class WrittenChoices : public Choices {
     for (const AnsweredChoice& choice : choices) values_.emplace(choice.address, choice.value);
   }
 
-  std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain&) override {
+  std::optional<TypedScalar> answer(AddressId address, const Distribution&) override {
     const auto it = values_.find(addresses_.text(address));
     if (it == values_.end()) throw NotASolution("it has no choice " + addresses_.text(address));
     return it->second;
@@ -56,7 +56,7 @@ class WrittenChoices : public Choices {
 
  private:
   const AddressTable& addresses_;
-  std::unordered_map<std::string, std::int64_t> values_;
+  std::unordered_map<std::string, TypedScalar> values_;
 };
 
 ExecutionSolver::Firm firmness(bool relax) {
@@ -92,7 +92,7 @@ ChoiceValues values_of(const Answers& answers) {
 
 ChoiceValues values_of(const Solution& solution) {
   ChoiceValues values;
-  for (const MetChoice& choice : solution.choices) values.emplace(choice.address, choice.value);
+  for (const MetChoice& choice : solution.choices) values.emplace(choice.address, choice.value.as_int());
   return values;
 }
 
@@ -238,7 +238,8 @@ std::optional<Solution> TracingEngine::next_enumerated() {
       exclude_all_known();
       return std::nullopt;
   }
-  Assignment assignment(graph_, [this](std::size_t variable) { return enumerator_->value(variable); });
+  Assignment assignment(graph_,
+                        [this](std::size_t variable) { return Scalar::of(enumerator_->value(variable)); });
   Solution solution = run(std::move(assignment));
   remember(values_of(solution));
   return solution;
@@ -492,9 +493,10 @@ std::string TracingEngine::leading_choices(const TraceProgramError& mistake, con
     const auto answer = answers.find(variable.address);
     if (answer == answers.end()) continue;
     const std::int64_t value = answer->second.second;
-    choices.push_back(fmt::format(
-        "{} = {}", addresses_.text(variable.address),
-        variable.domain.kind == ChoiceKind::kBool ? (value != 0 ? "true" : "false") : fmt::to_string(value)));
+    choices.push_back(fmt::format("{} = {}", addresses_.text(variable.address),
+                                  variable.domain.family == Distribution::Family::kFlip
+                                      ? (value != 0 ? "true" : "false")
+                                      : fmt::to_string(value)));
   }
   return choices.empty() ? "whatever is chosen" : fmt::format("where {}", fmt::join(choices, ", "));
 }
@@ -573,7 +575,7 @@ void TracingEngine::keep_away_from(const KnownChoices& choices) {
 ChoiceValues TracingEngine::addressed(const KnownChoices& choices) {
   ChoiceValues values;
   for (const AnsweredChoice& choice : choices)
-    values.emplace(addresses_.address(choice.address), choice.value);
+    values.emplace(addresses_.address(choice.address), choice.value.as_int());
   return values;
 }
 
@@ -582,9 +584,9 @@ Assignment TracingEngine::assignment_of(const ChoiceValues& values, bool& possib
   return {graph_, [this, &values, &possible](std::size_t number) {
             const ChoiceVariable& variable = graph_.variables()[number];
             const auto value = values.find(variable.address);
-            if (value == values.end()) return variable.domain.lo;
+            if (value == values.end()) return Scalar::of(variable.domain.lo);
             possible = possible && variable.domain.contains(value->second);
-            return value->second;
+            return Scalar::of(value->second);
           }};
 }
 
@@ -615,7 +617,7 @@ std::optional<Execution> TracingEngine::read(const KnownChoices& choices) {
   std::optional<Execution> execution = read(assignment);
   const auto known = [&](const MetChoice& choice) {
     const auto value = values.find(choice.address);
-    return value != values.end() && value->second == choice.value;
+    return value != values.end() && value->second == choice.value.as_int();
   };
   if (!possible || !execution || execution->choices.size() != choices.size() ||
       !std::ranges::all_of(execution->choices, known))

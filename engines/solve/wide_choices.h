@@ -18,8 +18,8 @@ class WideChoices : public Choices {
   WideChoices(const std::set<AddressId>* wide, std::int64_t reach, Pins& pins)
       : wide_(wide), reach_(reach), pins_(pins) {}
 
-  std::optional<std::int64_t> answer(AddressId, const ChoiceDomain&) override { return std::nullopt; }
-  ChoiceDomain widened(AddressId address, const ChoiceDomain& domain) override;
+  std::optional<TypedScalar> answer(AddressId, const Distribution&) override { return std::nullopt; }
+  Distribution widened(AddressId address, const Distribution& domain) override;
 
  private:
   const std::set<AddressId>* wide_;

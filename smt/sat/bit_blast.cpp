@@ -263,7 +263,7 @@ BitBlaster::Choice& BitBlaster::choice(std::size_t variable) {
   if (choices_.size() <= variable) choices_.resize(graph_.variables().size());
   Choice& made = choices_[variable];
   if (!made.inputs.empty()) return made;
-  const ChoiceDomain& domain = graph_.variables()[variable].domain;
+  const Distribution& domain = graph_.variables()[variable].domain;
   const Interval steps{0, (domain.hi - domain.lo) / domain.step};
   if (static_cast<std::uint64_t>(steps.hi) < kMostOrdered) {
     made.order = ordered_input(domain, made.inputs);
@@ -273,7 +273,7 @@ BitBlaster::Choice& BitBlaster::choice(std::size_t variable) {
   return made;
 }
 
-OrderEncodedInt BitBlaster::ordered_input(const ChoiceDomain& domain, Bits& inputs) {
+OrderEncodedInt BitBlaster::ordered_input(const Distribution& domain, Bits& inputs) {
   OrderEncodedInt order = constant_order(domain.lo);
   for (std::int64_t value = domain.lo + domain.step; value <= domain.hi; value += domain.step) {
     order.values.push_back(value);
@@ -295,7 +295,7 @@ Bits BitBlaster::choice_bits(std::size_t variable) {
 
 /// Each bit holds in some runs of neighbouring values.
 Bits BitBlaster::bits_of_order(std::size_t variable, const OrderEncodedInt& order) {
-  const ChoiceDomain& domain = graph_.variables()[variable].domain;
+  const Distribution& domain = graph_.variables()[variable].domain;
   const Interval numbers =
       domain.step == 1 ? Interval{domain.lo, domain.hi} : Interval{0, (domain.hi - domain.lo) / domain.step};
   Bits bits(static_cast<std::size_t>(bit_width(numbers)), kFalseLiteral);
@@ -368,7 +368,7 @@ std::int64_t BitBlaster::decode(std::size_t variable, const std::function<bool(L
 }
 
 std::int64_t BitBlaster::decode(std::size_t variable, std::uint64_t bits) const {
-  const ChoiceDomain& domain = graph_.variables()[variable].domain;
+  const Distribution& domain = graph_.variables()[variable].domain;
   if (domain.step != 1) return domain.lo + static_cast<std::int64_t>(bits) * domain.step;
   if (domain.lo >= 0) return static_cast<std::int64_t>(bits);
   const int unused = 64 - bit_width({domain.lo, domain.hi});
@@ -376,7 +376,7 @@ std::int64_t BitBlaster::decode(std::size_t variable, std::uint64_t bits) const 
 }
 
 std::uint64_t BitBlaster::bits_of(std::size_t variable, std::int64_t value) const {
-  const ChoiceDomain& domain = graph_.variables()[variable].domain;
+  const Distribution& domain = graph_.variables()[variable].domain;
   return static_cast<std::uint64_t>(domain.step == 1 ? value : (value - domain.lo) / domain.step);
 }
 

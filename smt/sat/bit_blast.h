@@ -85,7 +85,7 @@ class BitBlaster {
   bool comparable_in_order(NodeId a, NodeId b) const;
 
   Choice& choice(std::size_t variable);
-  OrderEncodedInt ordered_input(const ChoiceDomain& domain, Bits& inputs);
+  OrderEncodedInt ordered_input(const Distribution& domain, Bits& inputs);
   Bits bits_of_order(std::size_t variable, const OrderEncodedInt& order);
   Bits choice_number(NodeId node);
   Bits bounded_input(Interval interval);

@@ -158,7 +158,7 @@ void Encoder::check_fits(const ChoiceVariable& variable, Interval values) const 
 z3::expr Encoder::encode_choice(NodeId id) {
   const std::size_t number = graph_.node(id).payload;
   const ChoiceVariable& variable = graph_.variable(id);
-  const ChoiceDomain& domain = variable.domain;
+  const Distribution& domain = variable.domain;
   const std::string name = addresses_.text(variable.address);
   choices_.resize(std::max(choices_.size(), number + 1));
   const Interval values = interval(id);
@@ -192,7 +192,7 @@ std::optional<z3::expr> Encoder::choice_term(std::size_t variable) const {
 }
 
 std::int64_t Encoder::decode(std::size_t variable, std::uint64_t bits) const {
-  const ChoiceDomain& domain = graph_.variables()[variable].domain;
+  const Distribution& domain = graph_.variables()[variable].domain;
   if (domain.step != 1) return domain.lo + static_cast<std::int64_t>(bits) * domain.step;
   const unsigned used = width({domain.lo, domain.hi});
   const bool negative = domain.lo < 0 && ((bits >> (used - 1)) & 1U) != 0;

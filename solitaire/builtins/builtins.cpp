@@ -42,14 +42,14 @@ Value range(Evaluator& evaluator, Call call) {
                               describe(hi)));
       }
       const Value step = given(call.arguments[2]) ? checked_step(evaluator, call) : std::int64_t{1};
-      return evaluator.decide(call.site, lo, hi, step, ChoiceKind::kInt);
+      return evaluator.decide(call.site, lo, hi, step, Distribution::Family::kRange);
     });
   });
 }
 
 Value flip(Evaluator& evaluator, Call call) {
-  const Value side =
-      evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, std::int64_t{1}, ChoiceKind::kBool);
+  const Value side = evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, std::int64_t{1},
+                                      Distribution::Family::kFlip);
   return evaluator.equal(side, std::int64_t{1});
 }
 
@@ -59,7 +59,8 @@ Value choose(Evaluator& evaluator, Call call) {
   const Value last = evaluator.with_items(
       list, "choose", argument_span(call, 0),
       [](const std::vector<Value>& items) { return Value(static_cast<std::int64_t>(items.size()) - 1); });
-  const Value index = evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, ChoiceKind::kIndex);
+  const Value index =
+      evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, Distribution::Family::kIndex);
   return evaluator.element(list, index, call.site.span);
 }
 

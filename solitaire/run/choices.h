@@ -14,16 +14,16 @@ class Choices {
   virtual ~Choices() = default;
   /// A value of the domain for the choice at that address, or nothing to leave it open. Where the domain has
   /// symbolic ends it is the smallest that holds all of its possible values.
-  virtual std::optional<std::int64_t> answer(AddressId address, const ChoiceDomain& domain) = 0;
+  virtual std::optional<TypedScalar> answer(AddressId address, const Distribution& domain) = 0;
   /// What a choice that is left open can be at most: its domain, or more of the same kind, with the same
   /// step or 1. Then the ends of the domain, and a step that is not the same, are requirements.
-  virtual ChoiceDomain widened(AddressId, const ChoiceDomain& domain) { return domain; }
+  virtual Distribution widened(AddressId, const Distribution& domain) { return domain; }
 };
 
 /// Leaves every choice open.
 class OpenChoices : public Choices {
  public:
-  std::optional<std::int64_t> answer(AddressId, const ChoiceDomain&) override { return std::nullopt; }
+  std::optional<TypedScalar> answer(AddressId, const Distribution&) override { return std::nullopt; }
 };
 
 /// What to do at a condition that is not decided: the other seam.

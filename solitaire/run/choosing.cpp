@@ -39,9 +39,9 @@ std::vector<std::string> Evaluator::call_names() const {
 /// Where the first value or the step depends on choices, so does which values there are: then the domain is
 /// all ints between the ends, and those that the steps miss are ruled out.
 Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
-                        ChoiceKind kind) {
+                        Distribution::Family kind) {
   const auto* known_step = lo.is<std::int64_t>() ? step.get<std::int64_t>() : nullptr;
-  ChoiceDomain domain{0, 0, known_step != nullptr ? *known_step : 1, kind};
+  Distribution domain{0, 0, known_step != nullptr ? *known_step : 1, kind};
   const bool fixed = lo.is<std::int64_t>() && hi.is<std::int64_t>();
   if (fixed) {
     domain.lo = *lo.get<std::int64_t>();
@@ -60,15 +60,15 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
 
   const auto answer = choices_.answer(address, domain);
   if (!answer && !symbolic()) throw std::logic_error("no answer for the choice " + text(address));
-  const ChoiceDomain possible = answer ? domain : choices_.widened(address, domain);
-  NodeId variable = answer ? graph_.constant(*answer) : graph_.choice({address, possible});
+  const Distribution possible = answer ? domain : choices_.widened(address, domain);
+  NodeId variable = answer ? graph_.constant(answer->as_int()) : graph_.choice({address, possible});
   // Nothing but an element of a list can be chosen from it, also where executions go on past what they break.
-  const bool of_list = limits_.keep_going && kind == ChoiceKind::kIndex && !answer && !fixed;
+  const bool of_list = limits_.keep_going && kind == Distribution::Family::kIndex && !answer && !fixed;
   if (of_list) variable = graph_.apply(Op::kMin, {variable, node_of(graph_, hi)});
   if (answer) execution_.choices.push_back({address, domain, *answer});
   if (symbolic()) recorder_->add(TraceChoice{path_.guard(), variable, address, domain, site.span});
   const bool known = fixed && known_step != nullptr;
-  if (known && answer && domain.contains(*answer)) return *answer;  // as in nearly every execution
+  if (known && answer && domain.contains(*answer)) return answer->as_int();  // as in nearly every execution
   if (!of_list && (!known || answer || possible != domain)) {
     const NodeId first = node_of(graph_, lo);
     require(graph_.apply(Op::kLeInt, {first, variable}), ConstraintKind::kLowEnd, site.span, "", address);

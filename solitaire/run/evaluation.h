@@ -120,7 +120,8 @@ class Evaluator {
                    std::vector<std::pair<const Argument*, Value>> named);
   /// The address of a site of the running function, in the current turns of its loops.
   AddressId address_of(std::string_view label);
-  Value decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step, ChoiceKind kind);
+  Value decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
+               Distribution::Family kind);
   void place(Placement placement, const BuiltinCall& call);
   Execution& execution() { return execution_; }
   const std::string& text(AddressId address) const { return addresses_.text(address); }

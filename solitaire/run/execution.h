@@ -13,10 +13,10 @@ namespace solitaire {
 
 /// One answered choice of an execution, in readable form.
 struct AnsweredChoice {
-  using Kind = ChoiceKind;
+  using Kind = Distribution::Family;
   std::string address;  // e.g. "wing[2]/room[0]/make_table/rot"
-  Kind kind = Kind::kInt;
-  std::int64_t value = 0;  // kBool: 0 or 1; kIndex: the position in the list given to choose(), from 0
+  Kind kind = Kind::kRange;
+  TypedScalar value;  // of choose(): the position in the list, from 0
 };
 
 /// A thing that `place` put into the scene, in the program's own coordinates and units:
@@ -57,8 +57,8 @@ struct WishCost {
 /// A choice that an execution met.
 struct MetChoice {
   AddressId address;
-  ChoiceDomain domain;
-  std::int64_t value = 0;
+  Distribution domain;
+  TypedScalar value;
 };
 
 /// What one run with answered choices came to.

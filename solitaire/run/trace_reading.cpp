@@ -120,7 +120,8 @@ std::optional<Execution> read_execution(const Program& program, const SymbolicPa
   execution.unit = pass.unit;
   for (const TraceChoice& choice : trace.choices) {
     if (!assignment.holds(choice.guard)) continue;
-    execution.choices.push_back({choice.address, choice.domain, assignment.value(choice.variable)->i});
+    execution.choices.push_back(
+        {choice.address, choice.domain, choice.domain.typed(assignment.value(choice.variable)->i)});
   }
   for (const SoftConstraint& wish : trace.wishes) {
     if (!assignment.holds(wish.guard)) continue;
