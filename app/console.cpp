@@ -4,20 +4,21 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
+#include <solitaire/error.h>
 #include <unistd.h>
 
 #include "app/signals.h"
-#include "base/diagnostic.h"
-#include "base/file_error.h"
 
-namespace solitaire {
+namespace solitaire::app {
 namespace {
 
-/// How long a write waits for its reader once the run was stopped.
+/// A write waits so long for its reader once the run was stopped.
 constexpr std::chrono::milliseconds kPatience(250);
 
 class Stream {
@@ -41,11 +42,13 @@ class Stream {
 
  private:
   bool wait_until_ready() {
-    StopSignal::Clock::time_point given_up = StopSignal::Clock::time_point::max();
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point given_up = Clock::time_point::max();
+    const StopToken stop = stop_source().token();
     pollfd ready{descriptor_, POLLOUT, 0};
     while (::poll(&ready, 1, 20) <= 0) {
-      if (!stop_signal().stopped()) continue;
-      const auto now = StopSignal::Clock::now();
+      if (!stop.stopped()) continue;
+      const auto now = Clock::now();
       given_up = std::min(given_up, now + kPatience);
       if (now >= given_up) unread_ = true;
       if (unread_) return false;
@@ -62,8 +65,8 @@ class Stream {
 void print_result(std::string_view text) {
   static Stream stream(STDOUT_FILENO);
   const int error = stream.write(text);
-  if (error == ECANCELED) throw Interrupted{};
-  if (error != 0) throw FileError("standard output", std::strerror(error));
+  if (error == ECANCELED) throw Error(Error::Kind::kStopped, "interrupted");
+  if (error != 0) throw Error(Error::Kind::kFile, fmt::format("standard output: {}", std::strerror(error)));
 }
 
 void tell(std::string_view text) {
@@ -78,4 +81,4 @@ void reserve_standard_streams() {
   }
 }
 
-}  // namespace solitaire
+}  // namespace solitaire::app

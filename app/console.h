@@ -1,12 +1,12 @@
 #pragma once
 #include <string_view>
 
-namespace solitaire {
+namespace solitaire::app {
 
 // Every output that is no file goes through here. Whoever should read it may be slow or stop reading, and a
 // write would then wait for ever: these wait as long as nothing stops the run, and hardly longer.
 
-/// Writes results to standard output, all of the text. Throws FileError if that cannot be, and Interrupted if
+/// Writes results to standard output, all of the text. Throws Error: kFile if that cannot be, and kStopped if
 /// the run was stopped and nobody reads.
 void print_result(std::string_view text);
 
@@ -17,4 +17,4 @@ void tell(std::string_view text);
 /// these were closed. Call it before any is opened.
 void reserve_standard_streams();
 
-}  // namespace solitaire
+}  // namespace solitaire::app

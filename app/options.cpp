@@ -1,30 +1,11 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <fmt/format.h>
 #include <thread>
 
-#include "app/formula.h"
-
-namespace solitaire {
+namespace solitaire::app {
 namespace {
-
-std::optional<std::uint64_t> random_executions(const std::string& text) {
-  constexpr std::string_view kPrefix = "random:";
-  if (text.compare(0, kPrefix.size(), kPrefix) != 0) return std::nullopt;
-  std::uint64_t count = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + kPrefix.size(), end, count);
-  if (error != std::errc{} || stop != end || count == 0) return std::nullopt;
-  return count;
-}
-
-std::string check_exploration(const std::string& text) {
-  if (text == "demand" || random_executions(text)) return "";
-  return fmt::format(
-      "'{}' is no way to explore: there are demand and random:N, N a number of executions from 1", text);
-}
 
 std::string check_count(const std::string& text) {
   const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
@@ -39,7 +20,14 @@ std::string check_setting(const std::string& text) {
                                                 : "";
 }
 
-/// An option that can be given several times, each time with one value.
+std::string check_formula_name(const std::string& name) {
+  const auto ending = std::filesystem::path(name).extension();
+  return ending == ".smt2" || ending == ".cnf"
+             ? ""
+             : fmt::format("'{}' ends neither in .smt2, for SMT-LIB, nor in .cnf, for DIMACS", name);
+}
+
+/// Adds an option that can be given several times, each time with one value.
 CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                             const std::string& help) {
   return command.add_option(name, values, help)
@@ -48,22 +36,23 @@ CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vec
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-std::map<std::string, Backend> exact_engines() {
-  return {{"auto", Backend::kCadical}, {"cadical", Backend::kCadical}, {"z3", Backend::kZ3}};
+std::map<std::string, Solver> exact_engines() {
+  return {{"auto", Solver::kCadical}, {"cadical", Solver::kCadical}, {"z3", Solver::kZ3}};
 }
 
-/// With the one whose answers are no proofs.
+/// Adds the choice among all engines, also the one whose answers are no proofs.
 void add_engine_option(CLI::App& command, Options& options) {
-  std::map<std::string, Backend> engines = exact_engines();
-  engines.emplace("thesis", Backend::kThesis);
+  std::map<std::string, Solver> engines = exact_engines();
+  engines.emplace("thesis", Solver::kThesis);
   command
       .add_option(
-          "--engine", options.backend,
+          "--engine", options.search.solver,
           "which solver to use: cadical (auto takes it: the fastest), z3 (the reference), or thesis (16-bit "
           "ints and random exploration, as published, to measure against)")
       ->transform(CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis"));
   command.parse_complete_callback([&options] {
-    if (options.backend == Backend::kThesis && options.exploration().policy != Exploration::Policy::kRandom)
+    const SearchOptions& search = options.search;
+    if (search.solver == Solver::kThesis && search.exploration_name() == "demand")
       throw CLI::ValidationError("--explore", "--engine thesis explores at random only: random:N");
   });
 }
@@ -77,11 +66,11 @@ void add_pin_options(CLI::App& command, Options& options) {
   add_repeatable(command, "--forbid", options.forbidden, "keep the choices that match from having a value")
       ->type_name("ADDRESS=VALUE");
   auto* file = command
-                   .add_option("--pin-file", options.pin_file,
+                   .add_option("--pin-file", options.search.pin_file,
                                "fix choices to what they are in the .json file of a solution")
                    ->type_name("FILE");
   add_repeatable(
-      command, "--keep", options.keep,
+      command, "--keep", options.search.keep,
       "of --pin-file, fix only the choices whose addresses match the pattern; can be given several times")
       ->type_name("PATTERN")
       ->needs(file);
@@ -89,34 +78,25 @@ void add_pin_options(CLI::App& command, Options& options) {
 
 }  // namespace
 
-std::string Options::exploration_name() const {
-  return explore.value_or(backend == Backend::kThesis ? "random:100" : "demand");
-}
-
-Exploration Options::exploration() const {
-  const auto executions = random_executions(exploration_name());
-  if (!executions) return {};
-  return {Exploration::Policy::kRandom, *executions};
-}
-
 void add_program_options(CLI::App& command, Options& options) {
   command.add_option("FILE", options.script, "the script, a .sol file")->required();
   add_repeatable(command, "--set", options.settings,
                  "set a param of the program: NAME=VALUE; can be given several times")
       ->check(CLI::Validator(check_setting, "NAME=VALUE"));
-  command.add_option("--seed", options.seed, "same seed, program and options: same output (default 0)");
+  command.add_option("--seed", options.search.seed,
+                     "same seed, program and options: same output (default 0)");
   command
       .add_option(
-          "--explore", options.explore,
+          "--explore", options.search.explore,
           "which paths to cover: 'demand' (default) opens what stands in the way of a solution; 'random:N' "
           "only what N random executions take")
       ->check(CLI::Validator(check_exploration, "demand|random:N"));
   command
-      .add_option("--max-steps", options.max_steps,
+      .add_option("--max-steps", options.search.max_steps,
                   "steps after which one execution counts as endless (default 10000000)")
       ->check(CLI::Validator(check_count, "N"));
   command
-      .add_option("--max-depth", options.max_depth,
+      .add_option("--max-depth", options.search.max_depth,
                   "calls within each other after which a recursion counts as endless (default 4000)")
       ->check(CLI::Validator(check_count, "N"));
   command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was found")
@@ -130,32 +110,34 @@ void add_program_options(CLI::App& command, Options& options) {
 
 void add_solver_options(CLI::App& command, Options& options) {
   command
-      .add_option("--engine", options.backend,
+      .add_option("--engine", options.search.solver,
                   "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
       ->transform(CLI::CheckedTransformer(exact_engines()).description("auto|cadical|z3"));
   add_pin_options(command, options);
 }
 
 void add_search_options(CLI::App& command, Options& options) {
-  auto* count =
-      command.add_option("-n", options.count, fmt::format("how many solutions (default {})", options.count))
-          ->check(CLI::Validator(check_count, "N"));
+  auto* count = command
+                    .add_option("-n", options.search.count,
+                                fmt::format("how many solutions (default {})", options.search.count))
+                    ->check(CLI::Validator(check_count, "N"));
   command
-      .add_option("--per-solution", options.per_solution,
+      .add_option("--per-solution", options.search.seconds_per_solution,
                   "end when one further solution takes longer than so many seconds, keeping what was found")
       ->check(CLI::NonNegativeNumber);
   add_engine_option(command, options);
   add_pin_options(command, options);
   auto* relax =
-      command.add_flag("--relax", options.relax,
+      command.add_flag("--relax", options.search.relax,
                        "where not all asserts can hold, break as few as possible, and mark what is broken");
-  auto* all =
-      command.add_flag("--all", options.all, "all solutions, until it is proved that no further one exists")
-          ->excludes(count);
+  auto* all = command
+                  .add_flag("--all", options.search.all,
+                            "all solutions, until it is proved that no further one exists")
+                  ->excludes(count);
   auto* sample =
       command
           .add_option(
-              "--sample", options.sampling,
+              "--sample", options.search.sampling,
               "how to choose among all solutions: as the search finds them (search, default), or each "
               "with the same probability (uniform)")
           ->transform(
@@ -163,36 +145,35 @@ void add_search_options(CLI::App& command, Options& options) {
                                                                       {"uniform", Sampling::kUniform}})
                   .description("search|uniform"));
   command
-      .add_option("--distinct", options.distinct,
+      .add_option("--distinct", options.search.distinct,
                   "what makes two solutions different: their choices, or the result (value and scene)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Distinct>{{"choices", Distinct::kChoices},
                                                                           {"result", Distinct::kResult}})
                       .description("choices|result"));
-  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  options.search.jobs = std::max(1U, std::thread::hardware_concurrency());
   auto* min_distance =
       command
           .add_option(
-              "--min-distance", options.min_distance,
+              "--min-distance", options.search.min_distance,
               "the share of choices, 0 to 1, in which each solution has to differ from every earlier one")
           ->check(CLI::Range(0.0, 1.0));
   command
-      .add_option("--jobs", options.jobs,
+      .add_option("--jobs", options.search.jobs,
                   fmt::format("how many searches work side by side; the solutions are the same for any "
                               "number (default {}, one for each processor)",
-                              options.jobs))
+                              options.search.jobs))
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
   command
       .add_option(
-          "--diversity", options.diversity,
+          "--diversity", options.search.diversity,
           "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
           "'normal' (default) starts each search at random values, 'high' also without regard to what "
           "earlier searches met, which takes longer")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, DiversityLevel>{{"low", DiversityLevel::kLow},
-                                                                        {"normal", DiversityLevel::kNormal},
-                                                                        {"high", DiversityLevel::kHigh}})
-              .description("low|normal|high"));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Diversity>{{"low", Diversity::kLow},
+                                                                           {"normal", Diversity::kNormal},
+                                                                           {"high", Diversity::kHigh}})
+                      .description("low|normal|high"));
   auto* formula =
       command
           .add_option(
@@ -213,13 +194,11 @@ void add_count_options(CLI::App& command, Options& options) {
           "estimate the number, unless it is very small")
       ->excludes(exact);
   command
-      .add_option("--tolerance", counting.accuracy.tolerance,
+      .add_option("--tolerance", counting.tolerance,
                   "an estimate is within a factor of 1 + so much (default 0.8)")
       ->check(CLI::Range(0.01, 1000.0));
-  command
-      .add_option("--confidence", counting.accuracy.confidence,
-                  "with at least this probability (default 0.9)")
+  command.add_option("--confidence", counting.confidence, "with at least this probability (default 0.9)")
       ->check(CLI::Range(0.0, 0.999));
 }
 
-}  // namespace solitaire
+}  // namespace solitaire::app

@@ -5,7 +5,7 @@
 
 #include "app/console.h"
 
-namespace solitaire {
+namespace solitaire::app {
 namespace {
 
 constexpr const char* kClearLine = "\r\033[K";
@@ -58,4 +58,4 @@ void Progress::show() {
   tell(fmt::format("{}{}, {:.1f} s", kClearLine, line_, seconds));
 }
 
-}  // namespace solitaire
+}  // namespace solitaire::app

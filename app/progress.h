@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-namespace solitaire {
+namespace solitaire::app {
 
 /// A line on standard error that says how far the work is, several times a second; only if that is a
 /// terminal.
@@ -17,7 +17,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// What the line says; the time is added.
+  /// Sets what the line says; the time is added.
   void update(std::string line);
   /// Shows a line above the progress, terminal or not.
   void say(const std::string& line);
@@ -39,4 +39,4 @@ class Progress {
   std::thread thread_;
 };
 
-}  // namespace solitaire
+}  // namespace solitaire::app

@@ -1,28 +1,43 @@
 #include "app/report.h"
 
 #include <fmt/format.h>
+#include <new>
 
 #include "app/console.h"
-#include "app/signals.h"
-#include "base/file_error.h"
-#include "engines/count/uniform.h"
 
-namespace solitaire {
+namespace solitaire::app {
+namespace {
 
-void report(const ProgramError& error, const SourceSet& sources) {
-  for (const Diagnostic& diagnostic : error.diagnostics()) tell(format(diagnostic, sources));
-  if (error.diagnostics().size() > 1) tell(fmt::format("{} errors\n", error.diagnostics().size()));
+ExitStatus report_error(const Error& error, const Options& options) {
+  switch (error.kind()) {
+    case Error::Kind::kStopped:
+      return report_limit(options);
+    case Error::Kind::kInternal:
+      tell(fmt::format(
+          "internal error: {}\nThis is a fault of solitaire, not of the program. Please report it with the "
+          "script.\n",
+          error.what()));
+      return kError;
+    case Error::Kind::kProgram:
+    case Error::Kind::kUsage:
+    case Error::Kind::kFile:
+      break;
+  }
+  tell(error.diagnostics().empty() ? fmt::format("error: {}\n", error.what()) : error.what());
+  return error.kind() == Error::Kind::kUsage ? kUsage : kError;
 }
 
-std::string limit_text(const Options& options) {
-  switch (stop_signal().reason()) {
+}  // namespace
+
+std::string limit_text(const Options& options, StopReason reason) {
+  switch (reason) {
     case StopReason::kNone:
     case StopReason::kInterrupt:
       return "interrupted";
     case StopReason::kTime:
       return "the time limit came first";
     case StopReason::kTimePerSolution:
-      return fmt::format("no further solution within {} s", options.per_solution.value_or(0));
+      return fmt::format("no further solution within {} s", options.search.seconds_per_solution.value_or(0));
     case StopReason::kMemory:
       return "the memory limit came first";
     case StopReason::kOutOfMemory:
@@ -31,37 +46,37 @@ std::string limit_text(const Options& options) {
   return "";
 }
 
-ExitStatus report_limit(const Options& options) {
-  tell(fmt::format("error: {}\n", limit_text(options)));
+ExitStatus report_limit(const Options& options, StopReason reason) {
+  tell(fmt::format("error: {}\n", limit_text(options, reason)));
   return kLimit;
 }
 
-ExitStatus status_of(const Options& options, const std::function<ExitStatus()>& work) {
+ExitStatus report(const std::vector<Diagnostic>& errors) {
+  for (const Diagnostic& error : errors) tell(error.text);
+  if (errors.size() > 1) tell(fmt::format("{} errors\n", errors.size()));
+  return kError;
+}
+
+ExitStatus report_exception(const Options& options) {
   try {
-    return work();
-  } catch (const Reported& reported) {
-    return reported.status;
-  } catch (const Interrupted&) {
-    return report_limit(options);
+    throw;
+  } catch (const Error& error) {
+    return report_error(error, options);
   } catch (const std::bad_alloc&) {
-    stop_signal().request(StopReason::kOutOfMemory);
+    stop_source().request(StopReason::kOutOfMemory);
     return report_limit(options);
-  } catch (const InternalError& error) {
-    tell(
-        fmt::format("internal error: {}\nThis is a fault of solitaire, not of the program. Please report it "
-                    "with the script.\n",
-                    error.what()));
-    return kError;
-  } catch (const UnmatchedPin& error) {
-    tell(fmt::format("error: {}\n", error.what()));
-    return kUsage;
-  } catch (const UnequalSolutions& error) {
-    tell(fmt::format("error: {}\n", error.what()));
-    return kUsage;
-  } catch (const std::exception& error) {  // FileError, SceneError: files that cannot be read or written
+  } catch (const std::exception& error) {
     tell(fmt::format("error: {}\n", error.what()));
     return kError;
   }
 }
 
-}  // namespace solitaire
+ExitStatus status_of(const Options& options, const std::function<ExitStatus()>& work) {
+  try {
+    return work();
+  } catch (...) {
+    return report_exception(options);
+  }
+}
+
+}  // namespace solitaire::app

@@ -2,10 +2,10 @@
 
 #include <csignal>
 
-namespace solitaire {
+namespace solitaire::app {
 namespace {
 
-void request_stop(int) { stop_signal().request(); }
+void request_stop(int) { stop_source().request(); }
 
 void handle(int signal, void (*handler)(int), int flags) {
   struct sigaction action = {};
@@ -17,16 +17,16 @@ void handle(int signal, void (*handler)(int), int flags) {
 
 }  // namespace
 
-StopSignal& stop_signal() {
-  static StopSignal signal;
-  return signal;
+const StopSource& stop_source() {
+  static const StopSource source;
+  return source;
 }
 
 void catch_signals() {
-  stop_signal();  // a handler must not be the first to construct it
+  stop_source();  // a handler must not be the first to construct it
   constexpr int kOnce = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop, kOnce);
   for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, SIG_IGN, 0);
 }
 
-}  // namespace solitaire
+}  // namespace solitaire::app

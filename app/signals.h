@@ -1,13 +1,15 @@
 #pragma once
-#include "solitaire/run/evaluator.h"
+#include <solitaire/stop.h>
 
-namespace solitaire {
+namespace solitaire::app {
 
-/// What ends the run: Ctrl-C and requests to terminate set it, and the Watchdog.
-StopSignal& stop_signal();
+using namespace api;
+
+/// Returns what ends the run: Ctrl-C, requests to terminate, and the Watchdog ask it to stop.
+const StopSource& stop_source();
 
 /// Lets Ctrl-C and a request to terminate end the work in good order; a second one ends it at once. Closed
 /// pipes and files that may not grow become errors of the write that meets them.
 void catch_signals();
 
-}  // namespace solitaire
+}  // namespace solitaire::app

@@ -1,20 +1,19 @@
 #pragma once
-#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <solitaire/stop.h>
 
 #include "app/options.h"
-#include "app/signals.h"
 
-namespace solitaire {
+namespace solitaire::app {
 
 /// Makes the limits of a run hold, whatever the run is doing: solvers look at a limit only now and then.
 ///
-/// Another thread than the run's looks at the time, the memory and the stop signal. A limit that came is told
-/// to the stop signal, and the run has half a second to end in good order. If it does not, the watchdog
-/// delivers and says what is left to deliver and to say, and ends the process, the solver with it.
+/// Another thread than the run's looks at the memory and at whether the run is to stop. Then the run has half
+/// a second to end in good order. If it does not, the watchdog delivers and says what is left to deliver and
+/// to say, and ends the process, the solver with it.
 ///
 /// So that each thing is said once and nothing is taken while it changes, what a run has for its user belongs
 /// to whoever holds the mutex: the run while it delivers something, never while it searches, and the watchdog
@@ -41,9 +40,10 @@ class Watchdog {
   /// called while delivering.
   ExitStatus conclude(ExitStatus status);
 
-  /// As long as this lives, the watchdog ends the run by `finish`, on its own thread.
+  /// As long as this lives, the watchdog ends the run by `finish`, on its own thread, when the token says so.
   class AtLimit {
    public:
+    AtLimit(Watchdog& watchdog, Finish finish, const StopToken& stop);
     AtLimit(Watchdog& watchdog, Finish finish);
     ~AtLimit();
     AtLimit(const AtLimit&) = delete;
@@ -54,32 +54,12 @@ class Watchdog {
     Finish former_;
   };
 
-  /// As long as this lives, the time that one solution may take runs.
-  class SolutionTime {
-   public:
-    explicit SolutionTime(Watchdog& watchdog);
-    ~SolutionTime();
-    SolutionTime(const SolutionTime&) = delete;
-    SolutionTime& operator=(const SolutionTime&) = delete;
-    /// Something was found that only gets better, and the search ends by itself when the time is over: allows
-    /// for that.
-    void extend();
-
-   private:
-    Watchdog& watchdog_;
-    bool extended_ = false;
-  };
-
  private:
-  using Clock = StopSignal::Clock;
-
-  void look();
+  void set_stop(const StopToken& stop);
+  bool stopped();
   [[noreturn]] void end_process();
 
   const Options& options_;
-  StopSignal& stop_ = stop_signal();
-  Clock::time_point deadline_;
-  std::atomic<Clock::time_point> solution_deadline_ = Clock::time_point::max();
 
   std::timed_mutex mutex_;
   Finish finish_;                     // what follows is for whoever holds the mutex
@@ -87,7 +67,8 @@ class Watchdog {
 
   std::mutex done_mutex_;
   std::condition_variable wake_;
+  StopToken stop_;  // what follows is for whoever holds that mutex
   bool done_ = false;
 };
 
-}  // namespace solitaire
+}  // namespace solitaire::app

@@ -2,12 +2,11 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <optional>
 #include <stdexcept>
 
 namespace solitaire {
 
-/// What ends work before it is done.
+/// Says what ended work before it was done.
 enum class StopReason : std::uint8_t {
   kNone,
   kInterrupt,        // somebody asked for it
@@ -17,7 +16,7 @@ enum class StopReason : std::uint8_t {
   kOutOfMemory,      // there is no more memory
 };
 
-/// A wish to stop, from another thread or by the clock; long work looks at it now and then.
+/// A wish to stop, from any thread or by the clock; long work looks at it now and then.
 class StopSignal {
  public:
   using Clock = std::chrono::steady_clock;
@@ -28,22 +27,29 @@ class StopSignal {
     StopReason none = StopReason::kNone;
     requested_.compare_exchange_strong(none, reason, std::memory_order_relaxed);
   }
-  void set_deadline(Clock::time_point deadline) { deadline_ = deadline; }
+  /// Stops for `reason` at that time, in place of a time that was set before.
+  void set_deadline(Clock::time_point deadline, StopReason reason = StopReason::kTime) {
+    deadline_reason_.store(reason, std::memory_order_relaxed);
+    deadline_.store(deadline, std::memory_order_release);
+  }
   StopReason reason() const {
     const StopReason requested = requested_.load(std::memory_order_relaxed);
     if (requested != StopReason::kNone) return requested;
-    if (deadline_ && Clock::now() >= *deadline_) return StopReason::kTime;
+    const Clock::time_point deadline = deadline_.load(std::memory_order_acquire);
+    if (deadline != Clock::time_point::max() && Clock::now() >= deadline)
+      return deadline_reason_.load(std::memory_order_relaxed);
     return whole_ != nullptr ? whole_->reason() : StopReason::kNone;
   }
   bool stopped() const { return reason() != StopReason::kNone; }
 
  private:
   std::atomic<StopReason> requested_ = StopReason::kNone;
-  std::optional<Clock::time_point> deadline_;
+  std::atomic<StopReason> deadline_reason_ = StopReason::kTime;
+  std::atomic<Clock::time_point> deadline_ = Clock::time_point::max();
   const StopSignal* whole_;
 };
 
-/// Thrown when a StopSignal said so.
+/// Thrown by work that ended because its StopSignal said so.
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };

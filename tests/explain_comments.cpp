@@ -35,9 +35,9 @@ void add_members(Members& members, const std::string& list, const std::string& p
   std::sort(members.begin(), members.end());
 }
 
-std::string shown(const Condition& member, const ExplanationContext& context) {
+std::string shown(const Condition& member, const api::ExplanationContext& context) {
   const Source& source = context.sources[member.span.source];
-  const std::string words = words_of(member, context);
+  const std::string words = api::words_of(member, context);
   const std::string address = context.addresses.text(member.address);
   const bool says_something = address.find_first_of("/[") != std::string::npos;
   const bool named = words.find(address) != std::string::npos;
@@ -79,7 +79,7 @@ std::vector<Members> ExplainComments::sorted_conflicts() const {
   return sorted;
 }
 
-Members members_of(const Conflict& conflict, const ExplanationContext& context) {
+Members members_of(const Conflict& conflict, const api::ExplanationContext& context) {
   Members members;
   for (const Condition& member : conflict.members) members.push_back(shown(member, context));
   std::sort(members.begin(), members.end());

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/explanation.h"
+#include "library/explanation.h"
 
 namespace solitaire {
 
@@ -26,7 +26,7 @@ struct ExplainComments {
 };
 
 /// A conflict as the comments have it.
-ExplainComments::Members members_of(const Conflict& conflict, const ExplanationContext& context);
+ExplainComments::Members members_of(const Conflict& conflict, const api::ExplanationContext& context);
 
 /// Conflicts as text, for comparing.
 std::string text_of(const std::vector<ExplainComments::Members>& conflicts);

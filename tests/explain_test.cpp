@@ -35,7 +35,7 @@ std::vector<Members> conflicts_of(const RunOfProgram& run, Backend backend, bool
   options.backend = backend;
   options.pins = run.pins;
   Explainer explainer(run.program, run.params, options);
-  const ExplanationContext context{run.program.sources, explainer.addresses()};
+  const api::ExplanationContext context{run.program.sources, explainer.addresses()};
   std::vector<Members> conflicts;
   while (const std::optional<Conflict> conflict = explainer.next_conflict()) {
     CHECK(conflict->minimal);

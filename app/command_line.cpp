@@ -1,0 +1,122 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <deque>
+#include <sstream>
+
+#include "app/console.h"
+#include "app/report.h"
+
+namespace solitaire::app {
+namespace {
+
+void add_generate_options(CLI::App& command, Options& options) {
+  options.search.count = 8;
+  options.search.distinct = Distinct::kResult;
+  add_program_options(command, options);
+  add_search_options(command, options);
+  command.add_option("-o,--output", options.output, "the folder to write to (default out)");
+  command.add_flag("--json", options.json, "also print solutions, a JSON object a line");
+  command.add_flag("--resume", options.resume,
+                   "go on with the run that left its solutions in the folder, without repeating any");
+  command.add_flag("--timings", options.timings,
+                   "keep the times in the .json files, which then differ from run to run");
+}
+
+void add_solve_options(CLI::App& command, Options& options) {
+  add_program_options(command, options);
+  add_search_options(command, options);
+  command.add_flag("--json", options.json, "a JSON object a line");
+  options.search.run_each = false;
+  command.add_flag(
+      "--check", options.search.run_each,
+      "run the program again with every solution, as generate does, instead of reading most off the trace");
+}
+
+void add_check_options(CLI::App& command, Options& options) {
+  add_program_options(command, options);
+  command.add_flag("--deep", options.deep,
+                   "look into every path for mistakes that only some choices lead to, and say which");
+}
+
+void add_explain_options(CLI::App& command, Options& options) {
+  add_program_options(command, options);
+  add_solver_options(command, options);
+  command.add_option("--more", options.more, "also show so many further, independent conflicts")
+      ->type_name("N");
+  command.add_flag("--choices", options.choices, "show the values of every choice in solutions");
+  command.add_flag("--thorough", options.thorough,
+                   "of a program with solutions: give no question up, however long it takes");
+  command.add_flag("--json", options.json, "as one JSON object");
+}
+
+void add_counting_options(CLI::App& command, Options& options) {
+  add_program_options(command, options);
+  add_solver_options(command, options);
+  add_count_options(command, options);
+  command.add_flag("--json", options.json, "as one JSON object");
+}
+
+void add_trace_options(CLI::App& command, Options& options) {
+  add_program_options(command, options);
+  command.add_option("--format", options.format, "text (default), dot for Graphviz, or smt2 for solvers")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, TraceFormat>{{"text", TraceFormat::kText},
+                                                                             {"dot", TraceFormat::kDot},
+                                                                             {"smt2", TraceFormat::kSmtlib}})
+                      .description("text|dot|smt2"));
+}
+
+struct Subcommand {
+  const char* name;
+  const char* description;
+  Command command;
+  void (*add_options)(CLI::App&, Options&);
+};
+
+constexpr Subcommand kSubcommands[] = {
+    {"generate", "find solutions and write each as a 3D scene (.glb), with a page that shows all",
+     generate_command, add_generate_options},
+    {"solve", "find solutions and print them", solve_command, add_solve_options},
+    {"check", "look for mistakes in a program", check_command, add_check_options},
+    {"explain", "why a program has no solution, or what in it rules nothing out and never occurs",
+     explain_command, add_explain_options},
+    {"count", "say how many solutions there are", count_command, add_counting_options},
+    {"trace", "print the trace graph of a program", trace_command, add_trace_options},
+};
+
+/// Gives out what the command line's reader has to say: help to standard output, mistakes to standard error.
+ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream result, complaint;
+  const bool helped = app.exit(error, result, complaint) == 0;
+  tell(complaint.str());
+  return status_of({}, [&] {
+    print_result(result.str());
+    return helped ? kDelivered : kUsage;
+  });
+}
+
+}  // namespace
+
+std::variant<Asked, ExitStatus> read_command_line(int argc, char** argv) {
+  CLI::App app("Solitaire: scripts with choices and constraints, solved into many different 3D scenes.");
+  app.name("solitaire");
+  app.set_version_flag("--version", std::string("solitaire ") + version());
+  app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "what this command does and takes");
+
+  std::deque<std::pair<CLI::App*, Asked>> subcommands;  // a deque, as the reader writes into the options
+  for (const Subcommand& each : kSubcommands) {
+    auto& [command, asked] =
+        subcommands.emplace_back(app.add_subcommand(each.name, each.description), Asked{each.command, {}});
+    each.add_options(*command, asked.options);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error);
+  }
+  const auto parsed = [](const auto& subcommand) { return subcommand.first->parsed(); };
+  return std::find_if(subcommands.begin(), subcommands.end(), parsed)->second;
+}
+
+}  // namespace solitaire::app

@@ -1,0 +1,34 @@
+#include <solitaire/check.h>
+
+#include "library/engine_options.h"
+#include "library/program_state.h"
+#include "library/translate.h"
+
+namespace solitaire::api {
+
+Checked check(const Program& program, const Options& options, bool deep) {
+  const solitaire::Program& parsed = program.state().program;
+  TracingEngine engine(parsed, values_of_params(program.state(), program.settings()),
+                       engine_options(options));
+  Checked checked;
+  return translated(parsed.sources, [&] {
+    try {
+      if (deep) {
+        checked.errors = public_diagnostics(engine.find_mistakes(&checked.complete), parsed.sources);
+      } else {
+        checked.complete = engine.check_mistakes();
+      }
+    } catch (const ProgramError& error) {
+      checked.errors = public_diagnostics(error.diagnostics(), parsed.sources);
+    }
+    const Trace& trace = engine.pass().trace;
+    checked.choices = trace.choices.size();
+    checked.conditions = trace.asserts.size();
+    checked.placed = trace.placed.size();
+    checked.nodes = engine.graph().size();
+    checked.closed = trace.blockers.size();
+    return checked;
+  });
+}
+
+}  // namespace solitaire::api

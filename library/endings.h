@@ -1,0 +1,10 @@
+#pragma once
+#include <solitaire/search.h>
+
+#include "engines/engine.h"
+
+namespace solitaire::api {
+
+Ending public_ending(solitaire::Ending ending);
+
+}  // namespace solitaire::api

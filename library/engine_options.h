@@ -1,0 +1,13 @@
+#pragma once
+#include <solitaire/options.h>
+
+#include "engines/solve/execution_solver.h"
+
+namespace solitaire::api {
+
+// What engines are to do, as the options say. Both throw Error: kUsage, and kFile for a pin file.
+
+TracingOptions engine_options(const Options& options);
+TracingOptions engine_options(const SearchOptions& options);
+
+}  // namespace solitaire::api

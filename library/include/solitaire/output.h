@@ -1,0 +1,44 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <solitaire/export.h>
+#include <solitaire/search.h>
+#include <string>
+
+namespace solitaire::api {
+
+/// Writes a solution's scene as a .glb: whole, or not at all. `title` names its root node. Throws Error
+/// (kFile), also where the solution places nothing, or a model that cannot be used.
+SOLITAIRE_API void write_glb(const Solution& solution, const Program& program, const std::string& title,
+                             const std::filesystem::path& path);
+
+/// A folder with the files of a run, as docs/formats.md describes them: for each solution a scene and a .json
+/// file; a page that shows all, and what there is to say about the run as a whole. Use it from one thread at
+/// a time. All of it throws Error (kFile).
+class SOLITAIRE_API OutputFolder {
+ public:
+  /// Makes the folder if need be. With `timings`, files say how long things took, and then differ from run to
+  /// run.
+  OutputFolder(const std::filesystem::path& folder, const Program& program, const SearchOptions& options,
+               bool timings = false);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// Goes on with the run that left its solutions in the folder, without repeating any: the search takes them
+  /// up. To be called before anything else. Throws where the folder's run is another one.
+  void resume(Search& search);
+  /// Writes a solution's files.
+  void add(const Solution& solution, const Summary& summary);
+  /// Writes the page and the run's file. Without an ending, an error ended the run. `reason` says why it
+  /// stopped, where it did. Returns the page, or nothing where there are no solutions to show.
+  std::optional<std::filesystem::path> close(const Summary& summary, std::optional<Ending> ending,
+                                             StopReason reason = StopReason::kNone);
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace solitaire::api

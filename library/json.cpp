@@ -1,0 +1,155 @@
+#include "library/json.h"
+
+#include <solitaire/error.h>
+#include <solitaire/explain.h>
+
+namespace solitaire::api {
+namespace {
+
+struct ValueWriter {
+  Json operator()(const Nil&) const { return nullptr; }
+  Json operator()(bool value) const { return value; }
+  Json operator()(std::int64_t value) const { return value; }
+  Json operator()(double value) const { return value; }
+  Json operator()(const std::string& value) const { return value; }
+  Json operator()(const List& list) const {
+    Json json = Json::array();
+    for (const Value& item : list.items) json.push_back(json_of(item));
+    return json;
+  }
+  Json operator()(const Record& record) const {
+    Json json = Json::object();
+    for (const Field& field : record.fields) json[field.name] = json_of(field.value);
+    return json;
+  }
+  Json operator()(const Function& function) const { return function.name; }
+};
+
+Json broken_json(const BrokenAssert& broken) {
+  Json json{{"at", broken.address}, {"source", broken.source}, {"condition", broken.condition}};
+  if (!broken.message.empty()) json["message"] = broken.message;
+  return json;
+}
+
+template <class Members, class ToJson>
+Json list_of(const Members& members, const ToJson& to_json) {
+  Json list = Json::array();
+  for (const auto& member : members) list.push_back(to_json(member));
+  return list;
+}
+
+Json value_json(const ChoiceValue& value) {
+  return std::visit([](const auto& answer) { return Json(answer); }, value);
+}
+
+Json choice_json(const Choice& choice) {
+  return {{"at", choice.address}, {"value", value_json(choice.value)}};
+}
+
+Json place_json(const Place& place) {
+  return {{"file", place.file}, {"line", place.line}, {"column", place.column}, {"text", place.text}};
+}
+
+Json condition_json(const Condition& condition) {
+  Json json{{"kind", condition.kind}};
+  json.update(place_json(condition.place));
+  json["at"] = condition.address;
+  json["condition"] = condition.words;
+  if (!condition.message.empty()) json["message"] = condition.message;
+  if (condition.pin) {
+    json["pin"] = condition.pin->source;
+    json["value"] = value_json(condition.pin->value);
+  }
+  return json;
+}
+
+Json conflict_json(const Conflict& conflict) {
+  return {{"minimal", conflict.minimal}, {"members", list_of(conflict.members, condition_json)}};
+}
+
+Json dead_json(const DeadAssert& dead) {
+  Json json = place_json(dead.place);
+  json["met"] = dead.met;
+  return json;
+}
+
+Json reachable_json(const ReachableValues& choice) {
+  Json json{{"at", choice.address},
+            {"from", choice.from},
+            {"to", choice.to},
+            {"step", choice.step},
+            {"complete", choice.complete}};
+  if (choice.listed) {
+    json["values"] = choice.values;
+    if (choice.complete) json["never"] = choice.missing;
+  } else if (!choice.values.empty()) {
+    json["least"] = choice.values.front();
+    json["greatest"] = choice.values.back();
+  }
+  return json;
+}
+
+ChoiceValue read_value(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  return json.get<double>();
+}
+
+bool is_choice(const Json& json) {
+  return json.is_object() && json.contains("at") && json["at"].is_string() && json.contains("value") &&
+         (json["value"].is_number() || json["value"].is_boolean());
+}
+
+}  // namespace
+
+Json json_of(const Value& value) { return std::visit(ValueWriter{}, value.is); }
+
+Json json_of(const Solution& solution) {
+  Json json{{"value", json_of(solution.value)}};
+  if (solution.quality) {
+    json["cost"] = solution.quality->cost;
+    json["optimal"] = solution.quality->proved_best;
+    json["broken"] = list_of(solution.broken, broken_json);
+  }
+  json["choices"] = list_of(solution.choices, choice_json);
+  return json;
+}
+
+std::string json_text(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::vector<Choice> choices_of(const Json& solution, const std::string& file) {
+  if (!solution.is_object() || !solution.contains("choices") || !solution["choices"].is_array())
+    throw Error(Error::Kind::kFile, file + ": is not the .json file of a solution");
+  std::vector<Choice> choices;
+  for (const Json& choice : solution["choices"]) {
+    if (!is_choice(choice)) {
+      throw Error(Error::Kind::kFile,
+                  file + ": has a choice that is not of the form {\"at\": ADDRESS, \"value\": VALUE}");
+    }
+    choices.push_back({choice["at"].get<std::string>(), read_value(choice["value"])});
+  }
+  return choices;
+}
+
+std::string to_json(const Solution& solution) {
+  Json json = Json::object();
+  if (solution.number > 0) json["index"] = solution.number;
+  json.update(json_of(solution));
+  return json_text(json);
+}
+
+std::string to_json(const Explanation& explanation) {
+  Json json{{"program", explanation.program}};
+  if (explanation.solutions) json["solutions"] = *explanation.solutions;
+  if (explanation.solutions == false) json["conflicts"] = list_of(explanation.conflicts, conflict_json);
+  if (explanation.asserts) {
+    json["dead"] = list_of(explanation.asserts->dead, dead_json);
+    json["undecided"] = explanation.asserts->undecided;
+    json["choices"] = list_of(explanation.choices, reachable_json);
+  }
+  return json_text(json);
+}
+
+}  // namespace solitaire::api

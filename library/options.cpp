@@ -1,0 +1,98 @@
+#include <charconv>
+#include <fmt/format.h>
+#include <solitaire/error.h>
+#include <solitaire/options.h>
+
+#include "library/engine_options.h"
+#include "library/pins.h"
+#include "library/stop_access.h"
+
+namespace solitaire::api {
+namespace {
+
+std::optional<std::uint64_t> random_executions(const std::string& text) {
+  constexpr std::string_view kPrefix = "random:";
+  if (text.compare(0, kPrefix.size(), kPrefix) != 0) return std::nullopt;
+  std::uint64_t count = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + kPrefix.size(), end, count);
+  if (error != std::errc{} || stop != end || count == 0) return std::nullopt;
+  return count;
+}
+
+Exploration exploration_of(const Options& options) {
+  const std::string name = options.exploration_name();
+  if (const std::string wrong = check_exploration(name); !wrong.empty())
+    throw Error(Error::Kind::kUsage, wrong);
+  const auto executions = random_executions(name);
+  if (executions) return {Exploration::Policy::kRandom, *executions};
+  if (options.solver == Solver::kThesis)
+    throw Error(Error::Kind::kUsage, "the thesis engine explores at random only: random:N");
+  return {};
+}
+
+Backend backend_of(Solver solver) {
+  switch (solver) {
+    case Solver::kCadical:
+      break;
+    case Solver::kZ3:
+      return Backend::kZ3;
+    case Solver::kThesis:
+      return Backend::kThesis;
+  }
+  return Backend::kCadical;
+}
+
+solitaire::SceneDetail detail_of(SceneDetail detail) {
+  switch (detail) {
+    case SceneDetail::kNone:
+      return solitaire::SceneDetail::kNone;
+    case SceneDetail::kPlacements:
+      return solitaire::SceneDetail::kPlacements;
+    case SceneDetail::kProvenance:
+      break;
+  }
+  return solitaire::SceneDetail::kProvenance;
+}
+
+}  // namespace
+
+std::string check_exploration(const std::string& text) {
+  if (text == "demand" || random_executions(text)) return "";
+  return fmt::format(
+      "'{}' is no way to explore: there are demand and random:N, N a number of executions from 1", text);
+}
+
+std::string Options::exploration_name() const {
+  if (!explore.empty()) return explore;
+  return solver == Solver::kThesis ? "random:100" : "demand";
+}
+
+TracingOptions engine_options(const Options& options) {
+  TracingOptions tracing;
+  tracing.exploration = exploration_of(options);
+  tracing.seed = options.seed;
+  tracing.backend = backend_of(options.solver);
+  tracing.diverse = options.solver != Solver::kThesis;
+  tracing.pins = pins_of(options);
+  tracing.limits.max_steps = options.max_steps;
+  tracing.limits.max_depth = options.max_depth;
+  tracing.limits.stop = StopAccess::signal(options.stop);
+  return tracing;
+}
+
+TracingOptions engine_options(const SearchOptions& options) {
+  TracingOptions tracing = engine_options(static_cast<const Options&>(options));
+  const Diversity usual = options.all ? Diversity::kLow : Diversity::kNormal;
+  const Diversity diversity = options.diversity.value_or(usual);
+  tracing.diverse = tracing.diverse && diversity != Diversity::kLow;
+  tracing.far_apart = diversity == Diversity::kHigh;
+  tracing.replay = options.run_each ? Replay::kEvery : Replay::kSome;
+  tracing.relax = options.relax;
+  tracing.improvement_time = options.seconds_per_solution;
+  tracing.min_distance = DistanceBound::of(options.min_distance);
+  tracing.scene = detail_of(options.scene);
+  return tracing;
+}
+
+}  // namespace solitaire::api

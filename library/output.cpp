@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+#include <solitaire/output.h>
+#include <solitaire/solitaire.h>
+
+#include "library/program_state.h"
+#include "library/run_manifest.h"
+#include "library/scene_of.h"
+#include "library/solution_file.h"
+#include "library/translate.h"
+#include "scene/assets.h"
+#include "scene/atomic_file.h"
+#include "scene/gallery.h"
+#include "scene/gltf.h"
+#include "scene/plan.h"
+
+namespace solitaire::api {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The page shows so many bytes of a solution's value.
+constexpr std::size_t kShownValue = 400;
+
+std::string shortened(const std::string& text) {
+  if (text.size() <= kShownValue) return text;
+  const auto within_character = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  std::size_t end = kShownValue;
+  while (end > 0 && within_character(end)) --end;
+  return text.substr(0, end) + " …";
+}
+
+AssetLibrary assets_of(const Program& program) {
+  return {program.state().data / "assets", program.state().program.folder()};
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) {
+    throw Error(Error::Kind::kFile,
+                fmt::format("{}: {}", folder.string(), error ? error.message() : "is not a folder"));
+  }
+}
+
+}  // namespace
+
+void write_glb(const Solution& solution, const Program& program, const std::string& title,
+               const fs::path& path) {
+  translated(program.state().program.sources, [&] {
+    if (solution.placements.empty()) throw FileError(path.string(), "the solution places nothing");
+    AssetLibrary assets = assets_of(program);
+    solitaire::write_glb(scene_of(solution, title, assets), path);
+  });
+}
+
+class OutputFolder::State {
+ public:
+  State(const fs::path& folder, const Program& program, const SearchOptions& options, bool timings)
+      : folder_(folder),
+        program_(program),
+        options_(options),
+        timings_(timings),
+        assets_(assets_of(program)) {
+    make_folder(folder);
+    remove_abandoned_files(folder);
+  }
+
+  void resume(Search& search) {
+    const std::vector<EarlierSolution> earlier =
+        read_earlier_run(folder_, program_.name(), run_json(program_, options_));
+    std::vector<std::vector<Choice>> choices;
+    for (const EarlierSolution& each : earlier) choices.push_back(each.choices);
+    for (Solution& solution : run_again(search, choices)) {
+      const auto& optimal = earlier[solution.number - 1].optimal;
+      if (solution.quality && optimal) solution.quality->proved_best = *optimal;
+      GalleryEntry entry = entry_of(solution);
+      draw(entry, solution);
+      entries_.push_back(std::move(entry));
+    }
+  }
+
+  void add(const Solution& solution, const Summary& summary) {
+    GalleryEntry entry = entry_of(solution);
+    if (const auto scene = draw(entry, solution)) solitaire::write_glb(*scene, folder_ / entry.glb);
+    // The last of the files: where it is, the others are.
+    write_file_atomically(folder_ / entry.json, json(entry.name, solution, summary));
+    entries_.push_back(std::move(entry));
+  }
+
+  std::optional<fs::path> close(const Summary& summary, std::optional<Ending> ending, StopReason reason) {
+    std::optional<fs::path> page;
+    if (!entries_.empty()) {
+      page = folder_ / "index.html";
+      write_file_atomically(*page, gallery(summary));
+    }
+    Json manifest{{"name", program_.name()}, {"version", version()}};
+    manifest.update(run_json(program_, options_));
+    manifest.update(manifest_json(options_, summary, ending, reason));
+    if (timings_) manifest["timings"] = timings_json(summary.times);
+    write_file_atomically(folder_ / (program_.name() + "-run.json"), json_text(manifest, 1) + "\n");
+    return page;
+  }
+
+  const SourceSet& sources() const { return program_.state().program.sources; }
+
+ private:
+  std::vector<Solution> run_again(Search& search, const std::vector<std::vector<Choice>>& choices) const {
+    try {
+      return search.resume(choices);
+    } catch (const Error& error) {
+      if (error.kind() != Error::Kind::kFile) throw;
+      throw Error(Error::Kind::kFile,
+                  fmt::format("{}: {}; has the program changed? Generate into another folder",
+                              folder_.string(), error.what()));
+    }
+  }
+
+  GalleryEntry entry_of(const Solution& solution) const {
+    GalleryEntry entry;
+    entry.index = solution.number;
+    entry.name = fmt::format("{}-{:04}", program_.name(), solution.number);
+    entry.json = entry.name + ".json";
+    entry.choices = solution.choices.size();
+    if (!std::holds_alternative<Nil>(solution.value.is)) entry.value = shortened(solution.text);
+    entry.remarks.push_back(quality_text(solution));
+    for (const BrokenAssert& broken : solution.broken) entry.remarks.push_back("broken: " + to_text(broken));
+    return entry;
+  }
+
+  /// Returns the solution's scene, nothing if it places nothing; puts its plan into the entry.
+  std::optional<Scene> draw(GalleryEntry& entry, const Solution& solution) {
+    if (solution.placements.empty()) return std::nullopt;
+    entry.glb = entry.name + ".glb";
+    Scene scene = scene_of(solution, entry.name, assets_);
+    entry.plan = svg_plan(scene);
+    return scene;
+  }
+
+  std::string gallery(const Summary& summary) const {
+    GalleryInfo info{program_.name(), program_.file_name(), std::to_string(options_.seed),
+                     program_.settings()};
+    if (summary.solutions > 1) {
+      info.options.emplace_back("mean distance of choices", fmt::format("{:.2f}", summary.choice_distance));
+      info.options.emplace_back("of results", fmt::format("{:.2f}", summary.result_distance));
+    }
+    return gallery_html(info, entries_);
+  }
+
+  std::string json(const std::string& name, const Solution& solution, const Summary& summary) const {
+    Json file{{"name", name}, {"index", solution.number}};
+    file.update(run_json(program_, options_));
+    file.update(json_of(solution));
+    if (timings_) file["timings"] = timings_json(summary.times);
+    return json_text(file, 1) + "\n";
+  }
+
+  fs::path folder_;
+  Program program_;
+  SearchOptions options_;
+  bool timings_;
+  AssetLibrary assets_;
+  std::vector<GalleryEntry> entries_;
+};
+
+OutputFolder::OutputFolder(const fs::path& folder, const Program& program, const SearchOptions& options,
+                           bool timings)
+    : state_(translated(program.state().program.sources,
+                        [&] { return std::make_unique<State>(folder, program, options, timings); })) {}
+OutputFolder::~OutputFolder() = default;
+
+void OutputFolder::resume(Search& search) {
+  translated(state_->sources(), [&] { state_->resume(search); });
+}
+
+void OutputFolder::add(const Solution& solution, const Summary& summary) {
+  translated(state_->sources(), [&] { state_->add(solution, summary); });
+}
+
+std::optional<fs::path> OutputFolder::close(const Summary& summary, std::optional<Ending> ending,
+                                            StopReason reason) {
+  return translated(state_->sources(), [&] { return state_->close(summary, ending, reason); });
+}
+
+}  // namespace solitaire::api

@@ -1,0 +1,97 @@
+#include "library/pins.h"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <solitaire/error.h>
+
+#include "library/solution_file.h"
+
+namespace solitaire::api {
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) { throw Error(Error::Kind::kUsage, why); }
+
+ChoiceValue parse_value(const std::string& text, const std::string& source) {
+  if (text == "true" || text == "false") return text == "true";
+  std::int64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || stop != end || !is_exact(number))
+    refuse(fmt::format("{}: '{}' is no value of a choice; it is an int, true or false", source, text));
+  return number;
+}
+
+/// Returns the int, or a bool as 0 or 1.
+std::int64_t number_of(const ChoiceValue& value, const std::string& source) {
+  if (std::holds_alternative<double>(value))
+    refuse(source + ": a choice can be pinned to an int or a bool only");
+  return std::visit([](auto answer) { return static_cast<std::int64_t>(answer); }, value);
+}
+
+/// The patterns of which choices of a pin file are kept, and which of them matched any.
+class Keep {
+ public:
+  explicit Keep(const std::vector<std::string>& patterns) : used_(patterns.size(), false) {
+    for (const std::string& pattern : patterns) patterns_.emplace_back(pattern);
+  }
+
+  bool matches(const AddressPattern& address) {
+    addresses_.push_back(address.steps());
+    bool kept = patterns_.empty();
+    for (std::size_t i = 0; i < patterns_.size(); ++i) {
+      if (!patterns_[i].matches(address.steps())) continue;
+      used_[i] = true;
+      kept = true;
+    }
+    return kept;
+  }
+
+  void require_used(const std::string& file) const {
+    for (std::size_t i = 0; i < patterns_.size(); ++i) {
+      if (used_[i]) continue;
+      const auto nearest = nearest_patterns(patterns_[i], addresses_, 3);
+      refuse(
+          fmt::format("--keep '{}' matches no choice of {}{}", patterns_[i].text(), file,
+                      nearest.empty() ? "" : fmt::format("; the nearest are {}", fmt::join(nearest, ", "))));
+    }
+  }
+
+ private:
+  std::vector<AddressPattern> patterns_;
+  std::vector<bool> used_;
+  std::vector<std::vector<std::string>> addresses_;  // of all choices of the file
+};
+
+void add_pins_of_file(const Options& options, std::vector<solitaire::Pin>& pins) {
+  const std::string file = options.pin_file.string();
+  Keep keep(options.keep);
+  for (const Choice& choice : choices_of(read_solution_file(options.pin_file), file)) {
+    const AddressPattern address(choice.address);
+    if (keep.matches(address)) {
+      pins.push_back(
+          {address, number_of(choice.value), false, fmt::format("--pin-file {} ({})", file, choice.address)});
+    }
+  }
+  keep.require_used(file);
+}
+
+}  // namespace
+
+std::string Pin::text() const { return fmt::format("{}={}", pattern, to_text(value)); }
+
+Pin parse_pin(const std::string& text, bool forbidden, const std::string& source) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0) refuse(source + " is not of the form ADDRESS=VALUE");
+  return {text.substr(0, sign), parse_value(text.substr(sign + 1), source), forbidden, source};
+}
+
+std::vector<solitaire::Pin> pins_of(const Options& options) {
+  std::vector<solitaire::Pin> pins;
+  for (const Pin& pin : options.pins)
+    pins.push_back(
+        {AddressPattern(pin.pattern), number_of(pin.value, pin.source), pin.forbidden, pin.source});
+  if (!options.pin_file.empty()) add_pins_of_file(options, pins);
+  return pins;
+}
+
+}  // namespace solitaire::api

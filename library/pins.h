@@ -1,0 +1,12 @@
+#pragma once
+#include <solitaire/options.h>
+#include <vector>
+
+#include "engines/solve/pins.h"
+
+namespace solitaire::api {
+
+/// Returns the pins of the options, and those of their pin file. Throws Error: kUsage, kFile.
+std::vector<solitaire::Pin> pins_of(const Options& options);
+
+}  // namespace solitaire::api

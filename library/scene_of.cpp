@@ -1,0 +1,47 @@
+#include "library/scene_of.h"
+
+#include <algorithm>
+
+#include "library/freeze.h"
+#include "library/json.h"
+
+namespace solitaire::api {
+namespace {
+
+constexpr std::array<double, 3> kRed = {0.85, 0.1, 0.1};
+
+solitaire::Placement placement_of(const Placement& placement) {
+  return {
+      placement.asset,  placement.at,    placement.size,    placement.turn,  placement.angle,
+      placement.color,  placement.name,  placement.address, placement.calls, known_choices(placement.choices),
+      placement.extras, placement.source};
+}
+
+bool concerns(const BrokenAssert& broken, const Placement& placement) {
+  return std::any_of(placement.choices.begin(), placement.choices.end(), [&](const Choice& choice) {
+    return std::find(broken.choices.begin(), broken.choices.end(), choice.address) != broken.choices.end();
+  });
+}
+
+void mark(const Solution& solution, const Placement& placement, solitaire::Placement& marked) {
+  Json broken = Json::array();
+  for (const BrokenAssert& each : solution.broken) {
+    if (concerns(each, placement)) broken.push_back(to_text(each));
+  }
+  if (broken.empty()) return;
+  marked.color = kRed;
+  marked.extras.emplace_back("broken", json_text(broken));
+}
+
+}  // namespace
+
+Scene scene_of(const Solution& solution, const std::string& title, AssetLibrary& assets) {
+  std::vector<solitaire::Placement> placements;
+  for (const Placement& placement : solution.placements) {
+    placements.push_back(placement_of(placement));
+    mark(solution, placement, placements.back());
+  }
+  return build_scene(placements, solution.unit, title, assets);
+}
+
+}  // namespace solitaire::api

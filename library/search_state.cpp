@@ -1,0 +1,139 @@
+#include "library/search_state.h"
+
+#include <solitaire/error.h>
+
+#include "engines/count/uniform_series.h"
+#include "engines/solve/series.h"
+#include "library/endings.h"
+#include "library/engine_options.h"
+#include "library/formula.h"
+#include "library/freeze.h"
+#include "library/stop_access.h"
+#include "library/translate.h"
+
+namespace solitaire::api {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How much longer a search may take that has found something which only gets better: it ends by itself when
+/// its time is over.
+constexpr std::chrono::milliseconds kTimeToEnd(300);
+
+SearchOptions with_stop(SearchOptions options, const StopToken& stop) {
+  options.stop = stop;
+  return options;
+}
+
+SeriesOptions series_options(const Program& program, const SearchOptions& options) {
+  SeriesOptions series;
+  series.distinct_results = options.distinct == Distinct::kResult;
+  if (!options.all) series.most = options.count;
+  if (options.jobs > 1 && series.most != 1) series.workers = programs_for_workers(program, options.jobs);
+  return series;
+}
+
+std::unique_ptr<SolutionSource> source_of(const Program& program, const ParamValues& params,
+                                          const SearchOptions& options) {
+  const TracingOptions tracing = engine_options(options);
+  const solitaire::Program& parsed = program.state().program;
+  if (options.sampling == Sampling::kUniform) {
+    return std::make_unique<UniformSeries>(parsed, params, tracing, options.distinct == Distinct::kResult);
+  }
+  return std::make_unique<Series>(parsed, params, tracing, series_options(program, options));
+}
+
+Clock::time_point after(double seconds) {
+  const std::chrono::duration<double> length(std::min(seconds, 1e8));  // more than the clock can count
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(length);
+}
+
+}  // namespace
+
+Search::State::State(const Program& program, const SearchOptions& options)
+    : program_(program),
+      options_(options),
+      params_(values_of_params(program.state(), program.settings())),
+      stop_(options.stop),
+      source_(source_of(program_, params_, with_stop(options, stop_.token()))) {
+  source_->on_improvement([this](const solitaire::Solution& solution) { improved(solution); });
+}
+
+std::optional<Solution> Search::State::next() {
+  stopped_ = false;
+  if (!wants_more()) return std::nullopt;
+  try {
+    const std::optional<solitaire::Solution> found = translated(sources(), [&] {
+      begin();
+      return find();
+    });
+    if (!found) return std::nullopt;
+    account_.set_times(source_->times());
+    return frozen(*found, account_.add(*found, options_.scene != SceneDetail::kNone), sources());
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::kStopped) throw;
+    stopped_ = true;
+    return std::nullopt;
+  }
+}
+
+Ending Search::State::ending() const {
+  if (stopped_) return Ending::kStopped;
+  return wants_more() ? public_ending(source_->ending()) : Ending::kNone;
+}
+
+/// Does what comes before the first solution, and does not count as a search for it.
+void Search::State::begin() {
+  if (std::exchange(begun_, true)) return;
+  if (options_.relax) check_mistakes();
+  if (!source_->catch_up()) throw Interrupted();
+}
+
+std::optional<solitaire::Solution> Search::State::find() {
+  if (options_.seconds_per_solution) {
+    extended_ = false;
+    deadline_ = after(*options_.seconds_per_solution);
+    stop_.set_deadline(*deadline_, StopReason::kTimePerSolution);
+  }
+  if (observer_ != nullptr) observer_->begun();
+  source_->explore();
+  if (observer_ != nullptr) observer_->explored(source_->engine().graph().size());
+  std::optional<solitaire::Solution> found = source_->next();
+  if (deadline_) stop_.set_deadline(Clock::time_point::max());
+  return found;
+}
+
+void Search::State::improved(const solitaire::Solution& solution) {
+  Solution best = frozen(solution, account_.solutions() + 1, sources());
+  if (observer_ != nullptr) observer_->improved(best);
+  account_.set_best(std::move(best), solution);
+  if (!deadline_ || std::exchange(extended_, true)) return;
+  stop_.set_deadline(*deadline_ + kTimeToEnd, StopReason::kTimePerSolution);
+}
+
+/// Executions that break asserts may come to mistakes that are none; the others may not.
+void Search::State::check_mistakes() {
+  SearchOptions strict = with_stop(options_, stop_.token());
+  strict.relax = false;
+  TracingEngine(program_.state().program, params_, engine_options(strict)).check_mistakes();
+}
+
+std::vector<Solution> Search::State::resume(const std::vector<std::vector<Choice>>& earlier) {
+  std::vector<KnownChoices> known;
+  for (const std::vector<Choice>& choices : earlier) known.push_back(known_choices(choices));
+  std::vector<Solution> solutions;
+  try {
+    for (const solitaire::Solution& solution : translated(sources(), [&] { return source_->resume(known); }))
+      solutions.push_back(frozen(solution, account_.add(solution, true, true), sources()));
+  } catch (const NotASolution& error) {
+    throw Error(Error::Kind::kFile, error.what());
+  }
+  account_.set_times(source_->times());
+  return solutions;
+}
+
+void Search::State::write_formula(const std::filesystem::path& path) {
+  translated(sources(), [&] { solitaire::api::write_formula(source_->engine_of_rest(), path); });
+}
+
+}  // namespace solitaire::api

@@ -1,0 +1,51 @@
+#include "library/solution_file.h"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <solitaire/error.h>
+
+namespace solitaire::api {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+  throw Error(Error::Kind::kFile, fmt::format("{}: {}", path.string(), reason));
+}
+
+void check_run(const Json& file, const Json& expected, const fs::path& path) {
+  for (const auto& [member, value] : expected.items()) {
+    const Json found = file.value(member, Json());
+    if (found == value) continue;
+    fail(path,
+         fmt::format("comes from a run with another {}: {} and not {}; resume with the same options, or "
+                     "generate into another folder",
+                     member, found.dump(), value.dump()));
+  }
+}
+
+}  // namespace
+
+Json read_solution_file(const fs::path& path) {
+  std::ifstream stream(path);
+  if (!stream) fail(path, "cannot be read");
+  Json solution = Json::parse(stream, nullptr, false);
+  if (!solution.is_object()) fail(path, "is not the .json file of a solution");
+  return solution;
+}
+
+std::vector<EarlierSolution> read_earlier_run(const fs::path& folder, const std::string& name,
+                                              const Json& expected) {
+  std::vector<EarlierSolution> solutions;
+  while (true) {
+    const fs::path path = folder / fmt::format("{}-{:04}.json", name, solutions.size() + 1);
+    if (!fs::exists(path)) return solutions;
+    const Json file = read_solution_file(path);
+    check_run(file, expected, path);
+    EarlierSolution solution{choices_of(file, path.string()), {}};
+    if (file.contains("optimal")) solution.optimal = file["optimal"] == true;
+    solutions.push_back(std::move(solution));
+  }
+}
+
+}  // namespace solitaire::api

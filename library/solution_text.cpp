@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+#include <solitaire/solution.h>
+
+#include "tracegraph/scalar.h"
+
+namespace solitaire::api {
+
+std::string to_text(const ChoiceValue& value) {
+  return std::visit([](auto answer) { return solitaire::to_text(TypedScalar::of(answer)); }, value);
+}
+
+std::string quality_text(const Solution& solution) {
+  if (!solution.quality) return "";
+  const Quality& quality = *solution.quality;
+  std::string text;
+  if (quality.broken > 0)
+    text += fmt::format("{} assert{} broken, ", quality.broken, quality.broken == 1 ? "" : "s");
+  if (quality.wishes > 0) text += fmt::format("cost {}, ", quality.cost);
+  return text + (quality.proved_best ? "proved the best left" : "not proved the best left");
+}
+
+std::string to_text(const BrokenAssert& broken) {
+  std::string text = fmt::format("{}: {} (at {})", broken.source, broken.condition, broken.address);
+  if (!broken.message.empty()) text += ": " + broken.message;
+  return text;
+}
+
+std::string to_text(const Solution& solution) {
+  std::string text = fmt::format("solution {}: {}\n", solution.number, solution.text);
+  if (solution.quality) text += fmt::format("  {}\n", quality_text(solution));
+  for (const BrokenAssert& broken : solution.broken) text += fmt::format("  broken: {}\n", to_text(broken));
+  for (const Choice& choice : solution.choices)
+    text += fmt::format("  {} = {}\n", choice.address, to_text(choice.value));
+  return text;
+}
+
+}  // namespace solitaire::api
