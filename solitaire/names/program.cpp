@@ -13,7 +13,7 @@ namespace {
 
 class Loader {
  public:
-  explicit Loader(const LoadOptions& options) : options_(options) {}
+  explicit Loader(const LoadOptions& options) : options_(options) { program_.labels.number(""); }
 
   Program run(const std::filesystem::path& path, std::string name, std::string text) {
     load(path, std::move(name), std::move(text));

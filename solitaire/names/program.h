@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/file_error.h"
+#include "base/name_table.h"
 #include "solitaire/syntax/syntax.h"
 
 namespace solitaire {
@@ -23,13 +24,13 @@ struct Module {
   std::map<std::string, Slot> names;   // of the top level
 };
 
-/// A resolved program: modules()[0] is the script itself. Immutable once loaded, so that many evaluations,
+/// A resolved program: modules[0] is the script itself. Immutable once loaded, so that many evaluations,
 /// also on several threads, can share it.
 struct Program {
   SourceSet sources;
   std::vector<Module> modules;
-  std::map<std::string, std::uint32_t>
-      field_names;  // by which fields are found, as names are slow to compare
+  NameTable labels;       // the labels of all sites; the first is kNoLabel, with an empty text
+  NameTable field_names;  // fields are found by the number of their name, as texts are slow to compare
 
   const Function& top(std::uint32_t module) const { return *modules[module].tree.top; }
   /// The folder that asset paths of the program are relative to.

@@ -73,7 +73,7 @@ class Resolver {
   }
 
   static void mark_shared(const std::vector<Site*>& sites) {
-    std::map<std::string, int> uses;
+    std::map<LabelId, int> uses;
     for (const Site* site : sites) ++uses[site->label];
     for (Site* site : sites) site->shared = uses[site->label] > 1;
   }
@@ -181,13 +181,13 @@ class Resolver {
 
   void count_site(Site& site, const std::string& name) {
     const int count = ++scope_->counts[name];
-    site.label = count == 1 ? name : fmt::format("{}#{}", name, count);
+    site.label = program_.labels.number(count == 1 ? name : fmt::format("{}#{}", name, count));
     scope_->sites.push_back(&site);
   }
 
   void branch_site(Site& site, const char* kind, Span span) {
     const Position at = program_.sources[span.source].position(span.begin);
-    site.label = fmt::format("{}@{}:{}", kind, at.line, at.column);
+    site.label = program_.labels.number(fmt::format("{}@{}:{}", kind, at.line, at.column));
   }
 
   /// Runs two exclusive parts, each from the counts as they are now. A part that always returns has no say in
@@ -273,7 +273,7 @@ class Resolver {
     top_level_only(node.span, "a record");
     for (const Parameter& field : node.fields) {
       if (field.default_value) named_expression(*field.default_value, field.name);
-      node.numbers.push_back(field_number(field.name));
+      node.numbers.push_back(program_.field_names.number(field.name));
     }
     node.slot = scope_->declare(node.name);
     assign_slot(node.slot);
@@ -314,13 +314,8 @@ class Resolver {
     }
   }
 
-  std::uint32_t field_number(const std::string& name) {
-    auto& names = program_.field_names;
-    return names.emplace(name, static_cast<std::uint32_t>(names.size())).first->second;
-  }
-
   Expr& object_of(FieldExpr& access) {
-    access.number = field_number(access.field);
+    access.number = program_.field_names.number(access.field);
     return *access.object;
   }
 

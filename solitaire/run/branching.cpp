@@ -108,7 +108,7 @@ void Evaluator::check_condition(NodeId condition, Span span) {
 
 /// Goes into one side of an undecided branch, or blocks it.
 void Evaluator::enter_side(const Site& site, BranchSide::Kind kind, Span span) {
-  const BranchSide side{address_of(site.label), kind};
+  const BranchSide side{address_of(site), kind};
   const auto levels = branches_->open(side, path_.levels);
   if (!levels) {
     recorder_->add(TraceBlocker{path_.guard(), side, span});
@@ -118,8 +118,8 @@ void Evaluator::enter_side(const Site& site, BranchSide::Kind kind, Span span) {
 }
 
 void Evaluator::note_taken(const Site& site, bool condition) {
-  if (symbolic() || branches_ == nullptr || site.label.empty()) return;
-  branches_->taken({address_of(site.label), condition ? BranchSide::Kind::kThen : BranchSide::Kind::kElse});
+  if (symbolic() || branches_ == nullptr || site.label == kNoLabel) return;
+  branches_->taken({address_of(site), condition ? BranchSide::Kind::kThen : BranchSide::Kind::kElse});
 }
 
 Evaluator::Checkpoint Evaluator::checkpoint() const {

@@ -8,7 +8,7 @@ namespace solitaire {
 AddressId Evaluator::activation_address(Activation& activation) {
   if (!activation.has_address) {
     const AddressId caller = activation_address(*activation.caller);
-    activation.address = addresses_.site(caller, activation.call->site.label);
+    activation.address = addresses_.site(caller, program_.labels[activation.call->site.label]);
     for (const std::uint32_t number : activation.caller->turns) {
       activation.address = addresses_.turn(activation.address, number);
     }
@@ -28,7 +28,7 @@ std::vector<std::string> Evaluator::call_names() const {
   for (const Activation* at = current_; at->call != nullptr; at = at->caller) {
     // A function that came as an argument is better known by its own name than by the parameter's.
     const std::string& own = at->function->name;
-    const std::string& label = at->call->site.label;
+    const std::string& label = program_.labels[at->call->site.label];
     std::string name = own.empty() || label.compare(0, own.size(), own) == 0 ? label : own;
     for (const std::uint32_t number : at->caller->turns) name += fmt::format("[{}]", number);
     names.push_back(std::move(name));
@@ -50,7 +50,7 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
     domain.lo = graph_.node(node_of(graph_, lo)).interval.lo;
     domain.hi = graph_.node(node_of(graph_, hi)).interval.hi;
   }
-  const AddressId address = address_of(site.site.label);
+  const AddressId address = address_of(site.site);
   if (domain.lo > domain.hi) reject(ConstraintKind::kNotEmpty, site.span, "", address);
   if (limits_.keep_going && !fixed) {  // else the ends say it, but nothing could be chosen with one broken
     const NodeId some = graph_.apply(Op::kLeInt, {node_of(graph_, lo), node_of(graph_, hi)});
@@ -85,7 +85,7 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
 }
 
 void Evaluator::wish(const Value& cost, const CallExpr& site) {
-  const AddressId address = address_of(site.site.label);
+  const AddressId address = address_of(site.site);
   if (symbolic()) {
     const NodeId node = node_of(graph_, cost);
     check_condition(node, site.span);
@@ -98,7 +98,7 @@ void Evaluator::wish(const Value& cost, const CallExpr& site) {
 }
 
 void Evaluator::place(Placement placement, const BuiltinCall& call) {
-  const AddressId address = address_of(call.site.site.label);
+  const AddressId address = address_of(call.site.site);
   placement.address = text(address);
   placement.calls = call_names();
   const Source& source = program_.sources[call.site.span.source];

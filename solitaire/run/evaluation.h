@@ -120,6 +120,7 @@ class Evaluator {
                    std::vector<std::pair<const Argument*, Value>> named);
   /// The address of a site of the running function, in the current turns of its loops.
   AddressId address_of(std::string_view label);
+  AddressId address_of(const Site& site) { return address_of(program_.labels[site.label]); }
   Value decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
                Distribution::Family kind);
   void place(Placement placement, const BuiltinCall& call);
@@ -356,7 +357,7 @@ bool Evaluator::branch(NodeId condition, const Site& site, Span span, std::span<
   check_condition(condition, span);
   const std::array guards = {condition, graph_.negation(condition)};
   return split(guards, assigned, value, [&](std::size_t side, Value& made) {
-    if (!site.label.empty())
+    if (site.label != kNoLabel)
       enter_side(site, side == 0 ? BranchSide::Kind::kThen : BranchSide::Kind::kElse, span);
     return side == 0 ? then_part(made) : else_part(made);
   });

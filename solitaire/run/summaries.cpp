@@ -7,7 +7,7 @@ namespace solitaire {
 
 Value Evaluator::call_shared(const Ref<Closure>& closure, const CallExpr& site,
                              std::vector<Value> arguments) {
-  AddressId address = addresses_.site(activation_address(*current_), site.site.label);
+  AddressId address = addresses_.site(activation_address(*current_), program_.labels[site.site.label]);
   for (const std::uint32_t number : current_->turns) address = addresses_.turn(address, number);
   if (const Summary* known = find_summary(address, *closure, arguments)) return use_summary(*known);
 

@@ -30,12 +30,17 @@ struct Binding {
   Slot slot = 0;
 };
 
-/// How a call, choice or branch site adds to addresses. Sites of one function that can happen in the same
-/// execution have different labels; sites in exclusive branches share theirs.
+/// The number of a label; Program::labels has the text.
+using LabelId = std::uint32_t;
+/// The label of a branch between expressions so plain that nothing is gained by not looking into them. Its
+/// text is empty.
+constexpr LabelId kNoLabel = 0;
+
+/// A call, choice or branch site: the step that it adds to addresses. Sites of one function that can happen
+/// in the same execution have different labels; sites in exclusive branches share theirs.
 struct Site {
-  std::string
-      label;  // "" for a branch of expressions so plain that nothing is gained by not looking into them
-  bool shared = false;  // whether an exclusive branch has a site of the same label
+  LabelId label = kNoLabel;
+  bool shared = false;  // true if an exclusive branch has a site of the same label
 };
 
 enum class ExprKind : std::uint8_t {
