@@ -68,8 +68,8 @@ void add_pins_of_file(const Options& options, std::vector<solitaire::Pin>& pins)
   for (const Choice& choice : choices_of(read_solution_file(options.pin_file), file)) {
     const AddressPattern address(choice.address);
     if (keep.matches(address)) {
-      pins.push_back(
-          {address, number_of(choice.value), false, fmt::format("--pin-file {} ({})", file, choice.address)});
+      const std::string source = fmt::format("--pin-file {} ({})", file, choice.address);
+      pins.push_back({address, number_of(choice.value, source), false, source});
     }
   }
   keep.require_used(file);
