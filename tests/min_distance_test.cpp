@@ -17,8 +17,7 @@ using Choices = std::map<std::string, std::int64_t>;
 
 Choices choices_of(const Solution& solution) {
   Choices choices;
-  for (const AnsweredChoice& choice : solution.answers)
-    choices.emplace(choice.address, choice.value.as_int());
+  for (const AnsweredChoice& choice : solution.answers) choices.emplace(choice.address, choice.value);
   return choices;
 }
 

@@ -7,29 +7,36 @@
 
 namespace solitaire {
 
-AddressTable::AddressTable() { intern({UINT32_MAX, UINT32_MAX - 1, 0}); }
-
-std::size_t AddressTable::EntryHash::operator()(const Entry& entry) const {
-  return mix(mix(entry.parent, entry.label), entry.turn);
+AddressTable::AddressTable() : slots_(64, kFree), mask_(slots_.size() - 1) {
+  intern({UINT32_MAX, kNoLabel, 0});
 }
 
-AddressId AddressTable::intern(Entry entry) {
-  const auto [it, added] = ids_.try_emplace(entry, static_cast<std::uint32_t>(entries_.size()));
-  if (added) entries_.push_back(entry);
-  return {it->second};
+std::size_t AddressTable::hash(const Entry& entry) {
+  return mix((std::uint64_t{entry.parent} << 32) | entry.label, entry.turn);
 }
 
-AddressId AddressTable::site(AddressId parent, std::string_view label) {
-  auto it = label_ids_.find(label);
-  if (it == label_ids_.end()) {
-    it = label_ids_.emplace(std::string(label), static_cast<std::uint32_t>(labels_.size())).first;
-    labels_.emplace_back(label);
+AddressId AddressTable::add(const Entry& entry, std::size_t at) {
+  const auto number = static_cast<std::uint32_t>(entries_.size());
+  entries_.push_back(entry);
+  slots_[at] = number;
+  if (entries_.size() * 2 <= slots_.size()) return {number};
+  slots_.assign(slots_.size() * 2, kFree);
+  mask_ = slots_.size() - 1;
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    std::size_t free = hash(entries_[i]) & mask_;
+    while (slots_[free] != kFree) free = (free + 1) & mask_;
+    slots_[free] = i;
   }
-  return intern({parent.index, it->second, 0});
+  return {number};
 }
 
-AddressId AddressTable::turn(AddressId parent, std::uint32_t number) {
-  return intern({parent.index, kTurn, number});
+AddressTable::LabelId AddressTable::label(std::string_view text) {
+  const auto it = label_ids_.find(text);
+  if (it != label_ids_.end()) return it->second;
+  const auto number = static_cast<LabelId>(labels_.size());
+  label_ids_.emplace(std::string(text), number);
+  labels_.emplace_back(text);
+  return number;
 }
 
 AddressId AddressTable::address(std::string_view text) {

@@ -22,9 +22,15 @@ class AddressTable {
  public:
   AddressTable();
 
+  /// A site's label in this table.
+  using LabelId = std::uint32_t;
+  static constexpr LabelId kNoLabel = UINT32_MAX;
+
   static constexpr AddressId root() { return {0}; }
-  AddressId site(AddressId parent, std::string_view label);
-  AddressId turn(AddressId parent, std::uint32_t number);
+  LabelId label(std::string_view text);
+  AddressId site(AddressId parent, LabelId label) { return intern({parent.index, label, 0}); }
+  AddressId site(AddressId parent, std::string_view label) { return site(parent, this->label(label)); }
+  AddressId turn(AddressId parent, std::uint32_t number) { return intern({parent.index, kTurn, number}); }
 
   /// The address with that readable form.
   AddressId address(std::string_view text);
@@ -43,19 +49,26 @@ class AddressTable {
     std::uint32_t turn;
     friend bool operator==(const Entry&, const Entry&) = default;
   };
-  struct EntryHash {
-    std::size_t operator()(const Entry& entry) const;
-  };
   struct TextHash {
     using is_transparent = void;
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
   };
-  static constexpr std::uint32_t kTurn = UINT32_MAX;
+  static constexpr std::uint32_t kTurn = UINT32_MAX - 1;
 
-  AddressId intern(Entry entry);
+  AddressId intern(const Entry& entry) {
+    for (std::size_t at = hash(entry) & mask_;; at = (at + 1) & mask_) {
+      const std::uint32_t number = slots_[at];
+      if (number == kFree) return add(entry, at);
+      if (entries_[number] == entry) return {number};
+    }
+  }
+  static std::size_t hash(const Entry& entry);
+  AddressId add(const Entry& entry, std::size_t at);
 
+  static constexpr std::uint32_t kFree = UINT32_MAX;
   std::vector<Entry> entries_;
-  std::unordered_map<Entry, std::uint32_t, EntryHash> ids_;
+  std::vector<std::uint32_t> slots_;  // open addressing: numbers of entries, at most half of them taken
+  std::size_t mask_;
   mutable std::unordered_map<std::uint32_t, std::string> texts_;  // that somebody asked for
   std::vector<std::string> labels_;
   std::unordered_map<std::string, std::uint32_t, TextHash, std::equal_to<>> label_ids_;

@@ -3,7 +3,10 @@
 namespace solitaire {
 
 ExhaustiveEngine::ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits)
-    : program_(program), params_(std::move(params)), limits_(limits) {}
+    : program_(program),
+      params_(std::move(params)),
+      limits_(limits),
+      executor_(program_, params_, addresses_, limits_) {}
 
 std::optional<Solution> ExhaustiveEngine::next() {
   while (ending_ == Ending::kNone) {
@@ -14,8 +17,9 @@ std::optional<Solution> ExhaustiveEngine::next() {
     ++executions_;
     try {
       if (limits_.stop != nullptr && limits_.stop->stopped()) throw Interrupted{};
-      Execution execution = execute(program_, params_, odometer_, addresses_, limits_);
+      Execution& execution = executor_.run(odometer_);
       if (execution.rejection) continue;
+      add_texts(execution, program_, addresses_);
       Solution solution;
       solution.choices = execution.choices;
       solution.answers = readable(solution.choices, addresses_);

@@ -1,6 +1,7 @@
 #pragma once
 #include "engines/engine.h"
 #include "engines/exhaustive/exhaustive_choices.h"
+#include "solitaire/run/evaluator.h"
 
 namespace solitaire {
 
@@ -22,6 +23,7 @@ class ExhaustiveEngine : public Engine {
   ParamValues params_;
   Limits limits_;
   AddressTable addresses_;
+  Executor executor_;
   ExhaustiveChoices odometer_;
   Ending ending_ = Ending::kNone;
   std::uint64_t executions_ = 0;

@@ -3,6 +3,7 @@
 namespace solitaire {
 
 std::optional<TypedScalar> ExhaustiveChoices::answer(AddressId address, const Distribution& domain) {
+  if (!domain.is_finite()) return std::nullopt;
   // The same answers so far lead to the same next choice, so the digits read so far are this execution's.
   if (depth_ == digits_.size()) {
     const Distribution possible = widened(address, domain);

@@ -84,10 +84,11 @@ void Explorer::start() {
 void Explorer::open_random_sides() {
   Limits limits = limits_;
   limits.keep_going = true;
+  Executor executor(program_, params_, addresses_, limits, sides_.get());
   for (std::uint64_t i = 0; i < exploration_.executions; ++i) {
     RandomChoices choices(RandomStream(seed_, Purpose::kExplore, i));
     try {
-      execute(program_, params_, choices, addresses_, limits, sides_.get());
+      executor.run(choices);
     } catch (const ProgramError&) {
       // The sides up to the mistake are open now; whether it can be reached is the solver's question.
     }

@@ -10,6 +10,7 @@ namespace solitaire {
 namespace {
 
 using Call = const BuiltinCall&;
+using Items = std::span<const Value>;
 
 Span argument_span(Call call, std::size_t number) {
   const auto& arguments = call.site.arguments;
@@ -22,12 +23,11 @@ Span argument_span(Call call, std::size_t number) {
 /// The step of a range, an int from 1.
 Value checked_step(Evaluator& evaluator, Call call) {
   const Span span = argument_span(call, 2);
-  const std::string message = "the step of a range is an int from 1, not {}";
+  const std::string message = "the step of a range is an int from 1, not ";
   return evaluator.each_shape(call.arguments[2], [&](const Value& step) {
-    if (!step.has_type(Type::kInt))
-      evaluator.program_error(span, fmt::format(fmt::runtime(message), describe(step)));
+    if (!step.has_type(Type::kInt)) evaluator.program_error(span, message + describe(step));
     evaluator.program_error_if(evaluator.compare(BinaryOp::kLess, step, std::int64_t{1}, span), span,
-                               fmt::format(fmt::runtime(message), to_text(step)));
+                               [&] { return message + to_text(step); });
     return step;
   });
 }
@@ -42,36 +42,78 @@ Value range(Evaluator& evaluator, Call call) {
                               describe(hi)));
       }
       const Value step = given(call.arguments[2]) ? checked_step(evaluator, call) : std::int64_t{1};
-      return evaluator.decide(call.site, lo, hi, step, Distribution::Family::kRange);
+      return evaluator.decide(call.site, lo, hi, step, Distribution::range(0, 0));
     });
   });
 }
 
+/// A parameter of a distribution: a number that does not depend on open choices.
+double parameter(Evaluator& evaluator, Call call, std::size_t number, const char* of) {
+  const Span span = argument_span(call, number);
+  const Value& value = call.arguments[number];
+  if (!value.is_number() && value.as_union() == nullptr)
+    evaluator.program_error(span, fmt::format("'{}' needs numbers, not {}", of, describe(value)));
+  if (!is_known(value)) {
+    evaluator.unsupported(span, fmt::format("this parameter of '{}' depends on choices", of),
+                          "give the distribution constant parameters");
+  }
+  evaluator.fixed(value, span);
+  const auto* i = value.get<std::int64_t>();
+  const double known = i != nullptr ? static_cast<double>(*i) : *value.get<double>();
+  if (!std::isfinite(known)) evaluator.program_error(span, fmt::format("'{}' needs finite numbers", of));
+  return known;
+}
+
 Value flip(Evaluator& evaluator, Call call) {
+  const double probability = given(call.arguments[0]) ? parameter(evaluator, call, 0, "flip") : 0.5;
+  if (probability < 0 || probability > 1) {
+    evaluator.program_error(
+        argument_span(call, 0),
+        fmt::format("the probability of 'flip' lies between 0 and 1, not at {}", probability));
+  }
   const Value side = evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, std::int64_t{1},
-                                      Distribution::Family::kFlip);
+                                      Distribution::flip(probability));
   return evaluator.equal(side, std::int64_t{1});
+}
+
+Value uniform(Evaluator& evaluator, Call call) {
+  const double from = parameter(evaluator, call, 0, "uniform");
+  const double to = parameter(evaluator, call, 1, "uniform");
+  if (from >= to)
+    evaluator.program_error(call.site.span, "'uniform' needs a first number that is below the second");
+  return evaluator.draw(call.site, Distribution::uniform(from, to), "uniform");
+}
+
+Value normal(Evaluator& evaluator, Call call) {
+  const double mean = parameter(evaluator, call, 0, "normal");
+  const double deviation = parameter(evaluator, call, 1, "normal");
+  if (deviation <= 0)
+    evaluator.program_error(argument_span(call, 1),
+                            "the standard deviation of 'normal' is a positive number");
+  return evaluator.draw(call.site, Distribution::normal(mean, deviation), "normal");
 }
 
 Value choose(Evaluator& evaluator, Call call) {
   const Value& list = call.arguments[0];
   // One choice for all lengths that the list can have, so that it is the same choice whatever they are.
-  const Value last = evaluator.with_items(
-      list, "choose", argument_span(call, 0),
-      [](const std::vector<Value>& items) { return Value(static_cast<std::int64_t>(items.size()) - 1); });
+  const Value last = evaluator.with_items(list, "choose", argument_span(call, 0), [](Items items) {
+    return Value(static_cast<std::int64_t>(items.size()) - 1);
+  });
   const Value index =
-      evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, Distribution::Family::kIndex);
+      evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, Distribution::index(1));
   return evaluator.element(list, index, call.site.span);
 }
 
 Value assert_(Evaluator& evaluator, Call call) {
+  const Span span = argument_span(call, 0);
+  const Value condition = evaluator.condition(call.arguments[0], span);
+  if (const bool* known = condition.plain<bool>(); known != nullptr && *known) return Value::nil();
   std::string message;
   if (given(call.arguments[1])) {
     const String* text = call.arguments[1].object<String>();
     message = text != nullptr ? text->text : to_text(call.arguments[1]);
   }
-  const NodeId condition = evaluator.condition(call.arguments[0], argument_span(call, 0));
-  evaluator.require(condition, ConstraintKind::kAssert, argument_span(call, 0), message);
+  evaluator.require(condition, ConstraintKind::kAssert, span, &message);
   return Value::nil();
 }
 
@@ -93,17 +135,15 @@ Value minimize(Evaluator& evaluator, Call call) { return wish(evaluator, call, "
 Value maximize(Evaluator& evaluator, Call call) { return wish(evaluator, call, "maximize", false); }
 
 Value prefer(Evaluator& evaluator, Call call) {
-  const Value holds =
-      value_of(evaluator.graph(), evaluator.condition(call.arguments[0], argument_span(call, 0)));
+  const Value holds = evaluator.condition(call.arguments[0], argument_span(call, 0));
   const Value weight = given(call.arguments[1]) ? call.arguments[1] : Value(std::int64_t{1});
   const Span span = argument_span(call, 1);
   return evaluator.each_shape(weight, [&](const Value& amount) {
     const std::string message = "the weight of 'prefer' is an int from 0, not ";
     if (!amount.has_type(Type::kInt)) evaluator.program_error(span, message + describe(amount));
     evaluator.program_error_if(evaluator.compare(BinaryOp::kLess, amount, std::int64_t{0}, span), span,
-                               message + to_text(amount));
-    const NodeId condition = evaluator.condition(holds, span);
-    evaluator.wish(merge(evaluator.graph(), condition, std::int64_t{0}, amount), call.site);
+                               [&] { return message + to_text(amount); });
+    evaluator.wish(evaluator.select(holds, std::int64_t{0}, amount, span), call.site);
     return Value::nil();
   });
 }
@@ -112,13 +152,13 @@ Value prefer(Evaluator& evaluator, Call call) {
 
 Value extreme(Evaluator& evaluator, Call call, Op op) {
   const Span span = call.site.span;
-  const auto fold = [&](const std::vector<Value>& items) -> Value {
+  const auto fold = [&](Items items) -> Value {
     if (items.empty()) evaluator.reject(ConstraintKind::kNotEmpty, span);
     Value best = items.front();
     for (std::size_t i = 1; i < items.size(); ++i) best = evaluator.pick(op, best, items[i], span);
     return best;
   };
-  if (call.arguments.size() > 1) return fold({call.arguments.begin(), call.arguments.end()});
+  if (call.arguments.size() > 1) return fold(call.arguments);
   return evaluator.with_items(call.arguments[0], operation(op).name.data(), span, fold);
 }
 
@@ -170,21 +210,21 @@ Value floor_of(Evaluator& evaluator, Call call) {
 
 /// Both values are there already; the condition only selects.
 Value cond(Evaluator& evaluator, Call call) {
-  const NodeId condition = evaluator.condition(call.arguments[0], argument_span(call, 0));
-  return merge(evaluator.graph(), condition, call.arguments[1], call.arguments[2]);
+  const Value condition = evaluator.condition(call.arguments[0], argument_span(call, 0));
+  return evaluator.select(condition, call.arguments[1], call.arguments[2], call.site.span);
 }
 
 /// Joins conditions that are given in a list or one by one.
 template <class Join>
 Value fold_conditions(Evaluator& evaluator, Call call, const char* name, bool neutral, Join join) {
-  const auto fold = [&](const std::vector<Value>& items) -> Value {
+  const auto fold = [&](Items items) -> Value {
     Value result = neutral;
     for (const Value& item : items) {
-      result = join(result, value_of(evaluator.graph(), evaluator.condition(item, call.site.span)));
+      result = join(result, evaluator.condition(item, call.site.span));
     }
     return result;
   };
-  if (call.arguments.size() > 1) return fold({call.arguments.begin(), call.arguments.end()});
+  if (call.arguments.size() > 1) return fold(call.arguments);
   return evaluator.with_items(call.arguments[0], name, argument_span(call, 0), fold);
 }
 
@@ -213,104 +253,92 @@ Value length(Evaluator& evaluator, Call call) {
 }
 
 Value sum(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "sum", argument_span(call, 0),
-                              [&](const std::vector<Value>& items) {
-                                Value total = std::int64_t{0};
-                                for (const Value& item : items)
-                                  total = evaluator.arithmetic(BinaryOp::kAdd, total, item, call.site.span);
-                                return total;
-                              });
+  return evaluator.with_items(call.arguments[0], "sum", argument_span(call, 0), [&](Items items) {
+    Value total = std::int64_t{0};
+    for (const Value& item : items) total = evaluator.arithmetic(BinaryOp::kAdd, total, item, call.site.span);
+    return total;
+  });
 }
 
 Value contains(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "contains", argument_span(call, 0),
-                              [&](const std::vector<Value>& items) {
-                                Value found = false;
-                                for (const Value& item : items)
-                                  found = evaluator.either(found, evaluator.equal(item, call.arguments[1]));
-                                return found;
-                              });
+  return evaluator.with_items(call.arguments[0], "contains", argument_span(call, 0), [&](Items items) {
+    Value found = false;
+    for (const Value& item : items) found = evaluator.either(found, evaluator.equal(item, call.arguments[1]));
+    return found;
+  });
 }
 
 Value distinct(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(
-      call.arguments[0], "distinct", argument_span(call, 0), [&](const std::vector<Value>& items) {
-        evaluator.step(call.site.span, items.size() * items.size() / 2);
-        Value differ = true;
-        for (std::size_t i = 0; i < items.size(); ++i) {
-          for (std::size_t j = i + 1; j < items.size(); ++j) {
-            differ = evaluator.both(differ, evaluator.invert(evaluator.equal(items[i], items[j])));
-          }
-        }
-        return differ;
-      });
+  return evaluator.with_items(call.arguments[0], "distinct", argument_span(call, 0), [&](Items items) {
+    evaluator.step(call.site.span, items.size() * items.size() / 2);
+    Value differ = true;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      for (std::size_t j = i + 1; j < items.size(); ++j) {
+        differ = evaluator.both(differ, evaluator.invert(evaluator.equal(items[i], items[j])));
+      }
+    }
+    return differ;
+  });
 }
 
 Value pairs(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "pairs", argument_span(call, 0),
-                              [&](const std::vector<Value>& items) {
-                                evaluator.step(call.site.span, items.size() * items.size() / 2);
-                                std::vector<Value> made;
-                                for (std::size_t i = 0; i < items.size(); ++i) {
-                                  for (std::size_t j = i + 1; j < items.size(); ++j) {
-                                    made.push_back(evaluator.make_list({items[i], items[j]}, call.site.span));
-                                  }
-                                }
-                                return evaluator.make_list(std::move(made), call.site.span);
-                              });
+  return evaluator.with_items(call.arguments[0], "pairs", argument_span(call, 0), [&](Items items) {
+    evaluator.step(call.site.span, items.size() * items.size() / 2);
+    std::vector<Value> made;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      for (std::size_t j = i + 1; j < items.size(); ++j) {
+        made.push_back(evaluator.make_list({items[i], items[j]}, call.site.span));
+      }
+    }
+    return evaluator.make_list(std::move(made), call.site.span);
+  });
 }
 
 Value zip(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(
-      call.arguments[0], "zip", argument_span(call, 0), [&](const std::vector<Value>& a) {
-        return evaluator.with_items(call.arguments[1], "zip", argument_span(call, 1),
-                                    [&](const std::vector<Value>& b) {
-                                      std::vector<Value> made;
-                                      for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-                                        made.push_back(evaluator.make_list({a[i], b[i]}, call.site.span));
-                                      }
-                                      return evaluator.make_list(std::move(made), call.site.span);
-                                    });
-      });
+  return evaluator.with_items(call.arguments[0], "zip", argument_span(call, 0), [&](Items a) {
+    return evaluator.with_items(call.arguments[1], "zip", argument_span(call, 1), [&](Items b) {
+      std::vector<Value> made;
+      for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        made.push_back(evaluator.make_list({a[i], b[i]}, call.site.span));
+      }
+      return evaluator.make_list(std::move(made), call.site.span);
+    });
+  });
 }
 
 Value reverse(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "reverse", argument_span(call, 0),
-                              [&](const std::vector<Value>& items) {
-                                return evaluator.make_list({items.rbegin(), items.rend()}, call.site.span);
-                              });
+  return evaluator.with_items(call.arguments[0], "reverse", argument_span(call, 0), [&](Items items) {
+    return evaluator.make_list(std::vector<Value>(items.rbegin(), items.rend()), call.site.span);
+  });
 }
 
 Value cons(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[1], "cons", argument_span(call, 1),
-                              [&](const std::vector<Value>& items) {
-                                std::vector<Value> made{call.arguments[0]};
-                                made.insert(made.end(), items.begin(), items.end());
-                                evaluator.step(call.site.span, items.size());
-                                return evaluator.make_list(std::move(made), call.site.span);
-                              });
+  return evaluator.with_items(call.arguments[1], "cons", argument_span(call, 1), [&](Items items) {
+    std::vector<Value> made{call.arguments[0]};
+    made.insert(made.end(), items.begin(), items.end());
+    evaluator.step(call.site.span, items.size());
+    return evaluator.make_list(std::move(made), call.site.span);
+  });
 }
 
 Value car(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "car", argument_span(call, 0),
-                              [&](const std::vector<Value>& items) {
-                                if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
-                                return items.front();
-                              });
+  return evaluator.with_items(call.arguments[0], "car", argument_span(call, 0), [&](Items items) {
+    if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
+    return items.front();
+  });
 }
 
 Value cdr(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "cdr", argument_span(call, 0),
-                              [&](const std::vector<Value>& items) {
-                                if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
-                                evaluator.step(call.site.span, items.size());
-                                return evaluator.make_list({items.begin() + 1, items.end()}, call.site.span);
-                              });
+  return evaluator.with_items(call.arguments[0], "cdr", argument_span(call, 0), [&](Items items) {
+    if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
+    evaluator.step(call.site.span, items.size());
+    return evaluator.make_list(std::vector<Value>(items.begin() + 1, items.end()), call.site.span);
+  });
 }
 
 Value null(Evaluator& evaluator, Call call) {
   return evaluator.with_items(call.arguments[0], "null", argument_span(call, 0),
-                              [](const std::vector<Value>& items) { return Value(items.empty()); });
+                              [](Items items) { return Value(items.empty()); });
 }
 
 // ---- text
@@ -322,7 +350,7 @@ Value str(Evaluator& evaluator, Call call) {
   return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
     if (x.object<String>() != nullptr) return x;
     const Symbol* symbol = x.get<Symbol>();
-    if (symbol == nullptr && is_known(x)) return Value::string(to_text(x));
+    if (symbol == nullptr && is_known(x)) return Value::string(to_text(evaluator.fixed(x, call.site.span)));
     if (symbol == nullptr) return evaluator.opaque_string(call.site.span);
     Graph& graph = evaluator.graph();
     if (symbol->type == Type::kBool)
@@ -341,34 +369,56 @@ Value str(Evaluator& evaluator, Call call) {
 }
 
 Value print(Evaluator& evaluator, Call call) {
-  evaluator.leave_to_run();
-  if (evaluator.symbolic()) return Value::nil();
-  std::string line;
-  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-    const String* text = call.arguments[i].object<String>();
-    line += (i == 0 ? "" : " ") + (text != nullptr ? text->text : to_text(call.arguments[i]));
-  }
-  evaluator.execution().printed.push_back(std::move(line));
+  evaluator.effects().needs_execution();
+  evaluator.effects().print(call.arguments);
   return Value::nil();
 }
 
 // ---- scenes
 
+/// Checks the arguments of place() on all paths that come there.
+class PathChecks : public PlacementChecks {
+ public:
+  PathChecks(Evaluator& evaluator, Span span) : evaluator_(evaluator), span_(span) {}
+
+  void each_shape(const Value& value, const Read& read) override {
+    evaluator_.each_shape(value, [&](const Value& one) { return read(one), Value::nil(); });
+  }
+  [[noreturn]] void fail(Span span, const std::string& message) override {
+    evaluator_.program_error(span, message);
+  }
+  void check_positive(const Value& number, Span span, const Message& message) override {
+    evaluator_.program_error_if(evaluator_.compare(BinaryOp::kLessEqual, number, std::int64_t{0}, span_),
+                                span, message);
+  }
+  void check_part(const Value& number, Span span, const Message& message) override {
+    evaluator_.program_error_if(
+        evaluator_.either(evaluator_.compare(BinaryOp::kLess, number, std::int64_t{0}, span),
+                          evaluator_.compare(BinaryOp::kGreater, number, std::int64_t{1}, span)),
+        span, message);
+  }
+
+ private:
+  Evaluator& evaluator_;
+  Span span_;
+};
+
 Value place(Evaluator& evaluator, Call call) {
-  evaluator.place(read_placement(evaluator, call), call);
+  PathChecks checks(evaluator, call.site.span);
+  evaluator.place(read_placement(call, checks), call);
   return Value::nil();
 }
 
 Value unit(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
   const char* message = "a unit is a positive number of metres";
-  if (evaluator.guarded() || !is_known(call.arguments[0])) evaluator.leave_to_run();
+  if (evaluator.guarded() || !is_known(call.arguments[0])) evaluator.effects().needs_execution();
   return evaluator.each_shape(call.arguments[0], [&](const Value& metres) {
     if (!metres.is_number()) evaluator.program_error(span, message);
     evaluator.program_error_if(evaluator.compare(BinaryOp::kLessEqual, metres, std::int64_t{0}, span), span,
                                message);
-    if (const auto* i = metres.get<std::int64_t>()) evaluator.execution().unit = static_cast<double>(*i);
-    if (const auto* d = metres.get<double>()) evaluator.execution().unit = *d;
+    if (const auto* i = metres.get<std::int64_t>()) evaluator.effects().unit(static_cast<double>(*i));
+    if (const auto* d = metres.get<double>()) evaluator.effects().unit(*d);
     return Value::nil();
   });
 }
@@ -379,7 +429,9 @@ std::vector<Builtin> make_table() {
   constexpr bool kChoice = true;
   return {
       {"range", {"lo", "hi", "step"}, 2, false, false, kChoice, range},
-      {"flip", {}, 0, false, false, kChoice, flip},
+      {"flip", {"probability"}, 0, false, false, kChoice, flip},
+      {"uniform", {"lo", "hi"}, 2, false, false, kChoice, uniform},
+      {"normal", {"mean", "sd"}, 2, false, false, kChoice, normal},
       {"choose", {"list"}, 1, false, false, kChoice, choose},
       {"assert", {"condition", "message"}, 1, false, false, false, assert_},
       {"prefer", {"condition", "weight"}, 1, false, false, false, prefer},

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "solitaire/run/evaluation.h"
+#include "solitaire/value/value.h"
 
 namespace solitaire {
 namespace {
@@ -24,7 +24,7 @@ constexpr std::pair<std::string_view, std::uint32_t> kColors[] = {
 /// and what is read is of no use.
 class PlaceReader {
  public:
-  PlaceReader(Evaluator& evaluator, Call call) : evaluator_(evaluator), call_(call) {}
+  PlaceReader(Call call, PlacementChecks& checks) : call_(call), checks_(checks) {}
 
   Placement read() {
     Placement made;
@@ -53,11 +53,12 @@ class PlaceReader {
   }
   template <class Read>
   void each_shape(const Value& value, Read read) {
-    evaluator_.each_shape(value, [&](const Value& one) { return read(one), Value::nil(); });
+    if (value.as_union() == nullptr) return void(read(value));
+    checks_.each_shape(value, [&](const Value& one) { read(one); });
   }
 
   [[noreturn]] void fail(const char* parameter, const std::string& why) {
-    evaluator_.program_error(span_of(parameter), message(parameter, why));
+    checks_.fail(span_of(parameter), message(parameter, why));
   }
 
   Span span_of(std::string_view parameter) const {
@@ -105,18 +106,14 @@ class PlaceReader {
   }
 
   void check_extent(const Value& extent) {
-    const Value wrong = evaluator_.compare(BinaryOp::kLessEqual, extent, std::int64_t{0}, call_.site.span);
-    evaluator_.program_error_if(wrong, span_of("size"),
-                                message("size", "is made of positive numbers, not " + to_text(extent)));
+    checks_.check_positive(extent, span_of("size"), [&] {
+      return message("size", "is made of positive numbers, not " + to_text(extent));
+    });
   }
 
   void check_color_part(const Value& part) {
-    const Span span = span_of("color");
-    const Value wrong =
-        evaluator_.either(evaluator_.compare(BinaryOp::kLess, part, std::int64_t{0}, span),
-                          evaluator_.compare(BinaryOp::kGreater, part, std::int64_t{1}, span));
-    evaluator_.program_error_if(wrong, span,
-                                message("color", "is a list of red, green and blue, each from 0 to 1"));
+    checks_.check_part(part, span_of("color"),
+                       [] { return message("color", "is a list of red, green and blue, each from 0 to 1"); });
   }
 
   std::string text(const char* parameter, const Value& value) {
@@ -140,15 +137,15 @@ class PlaceReader {
     }
     if (!is_known(value)) return std::nullopt;
     const std::string name = text("color", value);
-    std::vector<std::string> names;
     for (const auto& [known, rgb] : kColors) {
       if (known == name) return rgb_of(rgb);
-      names.emplace_back(known);
     }
     if (name.size() == 7 && name[0] == '#' &&
         name.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos) {
       return rgb_of(static_cast<std::uint32_t>(std::stoul(name.substr(1), nullptr, 16)));
     }
+    std::vector<std::string> names;
+    for (const auto& [known, rgb] : kColors) names.emplace_back(known);
     const std::string nearest = nearest_name(name, names);
     fail("color", fmt::format("has no '{}'; {}", name,
                               nearest.empty() ? "write \"#rrggbb\" or [red, green, blue]"
@@ -160,14 +157,30 @@ class PlaceReader {
     return {part(16), part(8), part(0)};
   }
 
-  Evaluator& evaluator_;
   Call call_;
+  PlacementChecks& checks_;
+};
+
+/// For arguments that a pass over all executions found right.
+class NoChecks : public PlacementChecks {
+ public:
+  void each_shape(const Value& value, const Read& read) override { read(value); }
+  [[noreturn]] void fail(Span span, const std::string& message) override {
+    throw ProgramError(Diagnostic{span, message, "", {}});
+  }
+  void check_positive(const Value&, Span, const Message&) override {}
+  void check_part(const Value&, Span, const Message&) override {}
 };
 
 }  // namespace
 
-Placement read_placement(Evaluator& evaluator, const BuiltinCall& call) {
-  return PlaceReader(evaluator, call).read();
+Placement read_placement(const BuiltinCall& call, PlacementChecks& checks) {
+  return PlaceReader(call, checks).read();
+}
+
+Placement read_placement(const BuiltinCall& call) {
+  NoChecks none;
+  return PlaceReader(call, none).read();
 }
 
 }  // namespace solitaire

@@ -159,7 +159,7 @@ class Resolver {
   }
 
   void report_unknown(const NameExpr& node) {
-    for (const char* later : {"uniform", "normal", "factor"}) {
+    for (const char* later : {"factor", "observe"}) {
       if (node.name != later) continue;
       diagnostics_.add(node.span,
                        fmt::format("'{}' needs a sampling engine, and there is none yet", node.name),

@@ -15,8 +15,8 @@ class Choices {
   /// A value of the domain for the choice at that address, or nothing to leave it open. Where the domain has
   /// symbolic ends it is the smallest that holds all of its possible values.
   virtual std::optional<TypedScalar> answer(AddressId address, const Distribution& domain) = 0;
-  /// What a choice that is left open can be at most: its domain, or more of the same kind, with the same
-  /// step or 1. Then the ends of the domain, and a step that is not the same, are requirements.
+  /// Returns the domain of a choice that is left open: its own, or a wider one of the same family, with the
+  /// same step or 1. If it is wider, the ends and the step become constraints of their own.
   virtual Distribution widened(AddressId, const Distribution& domain) { return domain; }
 };
 
@@ -26,14 +26,17 @@ class OpenChoices : public Choices {
   std::optional<TypedScalar> answer(AddressId, const Distribution&) override { return std::nullopt; }
 };
 
-/// What to do at a condition that is not decided: the other seam.
+/// Decides what happens at a condition that is not known: the other seam.
 class Branches {
  public:
   virtual ~Branches() = default;
-  /// Whether to go into this side, `levels` being what the side around it was granted. Nothing: it stays
-  /// closed and becomes a blocker. A number: it is open, and sides right below it are offered with that
-  /// number of levels.
+  /// Decides whether to go into this side; `levels` is what the side around it was granted. Returns nothing
+  /// if it stays closed and becomes a blocker. If it is open, returns the number of levels with which the
+  /// sides right below it are offered.
   virtual std::optional<std::uint32_t> open(const BranchSide& side, std::uint32_t levels) = 0;
+  /// Returns true if conditions that depend on floats that depend on choices are to be recorded like others.
+  /// Else they are what the pass cannot express: no bit-vector says them.
+  virtual bool takes_floats() const { return false; }
   /// Told of every branch that a concrete execution takes.
   virtual void taken(const BranchSide&) {}
 };

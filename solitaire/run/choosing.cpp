@@ -1,122 +1,132 @@
-// What an execution decides and leaves behind under addresses: choices and placed things.
+// What an execution decides and leaves behind under addresses: choices, wishes and placed things.
 #include <fmt/format.h>
 
 #include "solitaire/run/evaluation.h"
 
 namespace solitaire {
+namespace {
 
-AddressId Evaluator::activation_address(Activation& activation) {
-  if (!activation.has_address) {
-    const AddressId caller = activation_address(*activation.caller);
-    activation.address = addresses_.site(caller, program_.labels[activation.call->site.label]);
-    for (const std::uint32_t number : activation.caller->turns) {
-      activation.address = addresses_.turn(activation.address, number);
-    }
-    activation.has_address = true;
-  }
-  return activation.address;
+std::logic_error no_answer(const std::string& address) {
+  return std::logic_error("no answer for the choice " + address);
 }
 
-AddressId Evaluator::address_of(std::string_view label) {
-  AddressId address = addresses_.site(activation_address(*current_), label);
-  for (const std::uint32_t number : current_->turns) address = addresses_.turn(address, number);
-  return address;
-}
+}  // namespace
 
-std::vector<std::string> Evaluator::call_names() const {
-  std::vector<std::string> names;
-  for (const Activation* at = current_; at->call != nullptr; at = at->caller) {
-    // A function that came as an argument is better known by its own name than by the parameter's.
-    const std::string& own = at->function->name;
-    const std::string& label = program_.labels[at->call->site.label];
-    std::string name = own.empty() || label.compare(0, own.size(), own) == 0 ? label : own;
-    for (const std::uint32_t number : at->caller->turns) name += fmt::format("[{}]", number);
-    names.push_back(std::move(name));
-  }
-  return {names.rbegin(), names.rend()};
-}
-
-/// Where the first value or the step depends on choices, so does which values there are: then the domain is
-/// all ints between the ends, and those that the steps miss are ruled out.
 Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
-                        Distribution::Family kind) {
+                        const Distribution& kind) {
+  const AddressId address = address_of(site.site);
+  const auto* first = lo.plain<std::int64_t>();
+  const auto* last = hi.plain<std::int64_t>();
+  const auto* by = step.plain<std::int64_t>();
+  if (forks_ || first == nullptr || last == nullptr || by == nullptr)
+    return decide_open(site, address, lo, hi, step, kind);
+  // An execution, in which nearly every choice is answered by a value of its range.
+  if (*first > *last) reject(ConstraintKind::kNotEmpty, site.span, nullptr, address);
+  Distribution domain = kind;
+  domain.lo = *first;
+  domain.hi = *last - (*last - *first) % *by;
+  domain.step = *by;
+  const std::int64_t answer = answered(address, domain).as_int();
+  Value variable = answer;
+  if (graph_ != nullptr) variable = variable.with_node(*graph_, graph_->choice({address, domain}));
+  effects_->choice({kTrue, {}, address, domain, site.span}, variable);
+  if (domain.contains(answer)) return variable;
+  require_between(variable, lo, hi, site.span, address);
+  const Value rest =
+      int_operation(Op::kMod, int_operation(Op::kSub, variable, lo, site.span), step, site.span);
+  require(equal(rest, std::int64_t{0}), ConstraintKind::kStep, site.span, nullptr, address);
+  return variable;
+}
+
+TypedScalar Evaluator::answered(AddressId address, const Distribution& domain) {
+  const auto answer = choices_->answer(address, domain);
+  if (!answer) throw no_answer(addresses_.text(address));
+  return *answer;
+}
+
+Value Evaluator::draw(const CallExpr& site, const Distribution& distribution, const char* name) {
+  const AddressId address = address_of(site.site);
+  Value variable;
+  if (const auto answer = choices_->answer(address, distribution)) {
+    variable = answer->as_float();
+    if (graph_ != nullptr && !forks_)
+      variable = variable.with_node(*graph_, graph_->choice({address, distribution}));
+  } else if (forks_ && branches_->takes_floats()) {
+    variable = value_of(*graph_, graph_->choice({address, distribution}));
+  } else {
+    unsupported(site.span,
+                fmt::format("'{}' chooses among infinitely many values, of which no solver finds one", name),
+                "choose among ints and divide: range(0, 100) / 100.0");
+  }
+  effects_->choice({path_.guard(), {}, address, distribution, site.span}, variable);
+  return variable;
+}
+
+void Evaluator::require_between(const Value& variable, const Value& lo, const Value& hi, Span span,
+                                AddressId address) {
+  require(int_operation(Op::kLeInt, lo, variable, span), ConstraintKind::kLowEnd, span, nullptr, address);
+  require(int_operation(Op::kLeInt, variable, hi, span), ConstraintKind::kHighEnd, span, nullptr, address);
+}
+
+/// A choice that may be left open, or whose range depends on choices. Where the first value or the step
+/// depends on choices, so does which values there are: then the domain is all ints between the ends, and
+/// those that the steps miss are ruled out.
+Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Value& lo, const Value& hi,
+                             const Value& step, const Distribution& kind) {
   const auto* known_step = lo.is<std::int64_t>() ? step.get<std::int64_t>() : nullptr;
-  Distribution domain{0, 0, known_step != nullptr ? *known_step : 1, kind};
+  Distribution domain = kind;
+  domain.step = known_step != nullptr ? *known_step : 1;
   const bool fixed = lo.is<std::int64_t>() && hi.is<std::int64_t>();
   if (fixed) {
     domain.lo = *lo.get<std::int64_t>();
     domain.hi = *hi.get<std::int64_t>();
   } else {
-    domain.lo = graph_.node(node_of(graph_, lo)).interval.lo;
-    domain.hi = graph_.node(node_of(graph_, hi)).interval.hi;
+    domain.lo = graph_->node(node_of(*graph_, lo)).interval.lo;
+    domain.hi = graph_->node(node_of(*graph_, hi)).interval.hi;
   }
-  const AddressId address = address_of(site.site);
-  if (domain.lo > domain.hi) reject(ConstraintKind::kNotEmpty, site.span, "", address);
+  if (domain.lo > domain.hi) reject(ConstraintKind::kNotEmpty, site.span, nullptr, address);
   if (limits_.keep_going && !fixed) {  // else the ends say it, but nothing could be chosen with one broken
-    const NodeId some = graph_.apply(Op::kLeInt, {node_of(graph_, lo), node_of(graph_, hi)});
-    require(some, ConstraintKind::kNotEmpty, site.span, "", address);
+    require(int_operation(Op::kLeInt, lo, hi, site.span), ConstraintKind::kNotEmpty, site.span, nullptr,
+            address);
   }
   domain.hi -= (domain.hi - domain.lo) % domain.step;
 
-  const auto answer = choices_.answer(address, domain);
-  if (!answer && !symbolic()) throw std::logic_error("no answer for the choice " + text(address));
-  const Distribution possible = answer ? domain : choices_.widened(address, domain);
-  NodeId variable = answer ? graph_.constant(answer->as_int()) : graph_.choice({address, possible});
+  const auto answer = choices_->answer(address, domain);
+  if (!answer && !forks_) throw no_answer(addresses_.text(address));
+  const Distribution possible = answer ? domain : choices_->widened(address, domain);
+  Value variable;
+  if (answer) {
+    variable = answer->as_int();
+    if (!forks_) variable = variable.with_node(*graph_, graph_->choice({address, domain}));
+  } else {
+    variable = value_of(*graph_, graph_->choice({address, possible}));
+  }
   // Nothing but an element of a list can be chosen from it, also where executions go on past what they break.
-  const bool of_list = limits_.keep_going && kind == Distribution::Family::kIndex && !answer && !fixed;
-  if (of_list) variable = graph_.apply(Op::kMin, {variable, node_of(graph_, hi)});
-  if (answer) execution_.choices.push_back({address, domain, *answer});
-  if (symbolic()) recorder_->add(TraceChoice{path_.guard(), variable, address, domain, site.span});
+  const bool of_list = limits_.keep_going && kind.family == Distribution::Family::kIndex && !answer && !fixed;
+  if (of_list) variable = int_operation(Op::kMin, variable, hi, site.span);
+  effects_->choice({path_.guard(), {}, address, domain, site.span}, variable);
   const bool known = fixed && known_step != nullptr;
-  if (known && answer && domain.contains(*answer)) return answer->as_int();  // as in nearly every execution
-  if (!of_list && (!known || answer || possible != domain)) {
-    const NodeId first = node_of(graph_, lo);
-    require(graph_.apply(Op::kLeInt, {first, variable}), ConstraintKind::kLowEnd, site.span, "", address);
-    require(graph_.apply(Op::kLeInt, {variable, node_of(graph_, hi)}), ConstraintKind::kHighEnd, site.span,
-            "", address);
-  }
+  if (!of_list && (!known || answer || possible != domain))
+    require_between(variable, lo, hi, site.span, address);
   if (!step.identical(domain.step) || answer || possible.step != domain.step) {
-    const NodeId offset = apply(Op::kSub, {variable, node_of(graph_, lo)}, site.span);
-    const NodeId rest = apply(Op::kMod, {offset, node_of(graph_, step)}, site.span);
-    require(graph_.apply(Op::kEqInt, {rest, graph_.constant(std::int64_t{0})}), ConstraintKind::kStep,
-            site.span, "", address);
+    const Value offset = int_operation(Op::kSub, variable, lo, site.span);
+    const Value rest = int_operation(Op::kMod, offset, step, site.span);
+    require(equal(rest, std::int64_t{0}), ConstraintKind::kStep, site.span, nullptr, address);
   }
-  return value_of(graph_, variable);
+  return variable;
 }
 
 void Evaluator::wish(const Value& cost, const CallExpr& site) {
-  const AddressId address = address_of(site.site);
-  if (symbolic()) {
-    const NodeId node = node_of(graph_, cost);
-    check_condition(node, site.span);
-    recorder_->add(SoftConstraint{path_.guard(), node, address, site.span});
-    return;
-  }
-  execution_.wishes.push_back({*cost.get<std::int64_t>(), site.span, text(address)});
-  execution_.cost += execution_.wishes.back().cost;
-  if (!is_exact(execution_.cost)) program_error(site.span, "the cost of all wishes grows past 62 bits");
+  if (cost.is<Symbol>()) check_condition(node_of(*graph_, cost), site.span);
+  if (!effects_->wish(address_of(site.site), site.span, cost))
+    program_error(site.span, "the cost of all wishes grows past 62 bits");
 }
 
 void Evaluator::place(Placement placement, const BuiltinCall& call) {
-  const AddressId address = address_of(call.site.site);
-  placement.address = text(address);
-  placement.calls = call_names();
-  const Source& source = program_.sources[call.site.span.source];
-  const Position at = source.position(call.site.span.begin);
-  // Without the folder, so that files do not depend on where the program stands.
-  placement.source =
-      fmt::format("{}:{}:{}", std::filesystem::path(source.name()).filename().string(), at.line, at.column);
-  if (!symbolic()) {
-    execution_.placements.push_back(std::move(placement));
-    return;
-  }
-  TracePlaced placed{path_.guard(), address, call.site.span, {}, placements_.size()};
-  for (const Value& value : call.arguments) collect_nodes(value, placed.depends);
-  recorder_->add(std::move(placed));
-  placements_.push_back({std::move(placement),
-                         &call.site,
-                         {call.arguments.begin(), call.arguments.end()},
-                         {call.extras.begin(), call.extras.end()}});
+  placement.id = address_of(call.site.site);
+  placement.span = call.site.span;
+  placement.call = current_call();
+  effects_->placement(std::move(placement), call);
 }
 
 }  // namespace solitaire

@@ -1,116 +1,76 @@
 #include "solitaire/run/evaluator.h"
 
-#include <pthread.h>
-
-#include "solitaire/run/summary.h"
+#include "solitaire/run/recording.h"
+#include "solitaire/run/walk.h"
 
 namespace solitaire {
-namespace {
 
-/// How much of the stack stays free for what an evaluation calls at its deepest point.
-constexpr std::size_t kStackReserve = std::size_t{2} << 20;
+class Executor::Run {
+ public:
+  Run(const Program& program, const ParamValues& params, AddressTable& addresses, const Limits& limits,
+      Branches* observer)
+      : walk_(program, params, addresses, limits, nullptr, observer), effects_(execution_) {}
 
-const char* find_stack_limit() {  // for the first thread of a process, by reading a file
-  pthread_attr_t attributes;
-  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return nullptr;
-  void* lowest = nullptr;
-  std::size_t size = 0;
-  pthread_attr_getstack(&attributes, &lowest, &size);
-  pthread_attr_destroy(&attributes);
-  return static_cast<const char*>(lowest) + std::min(kStackReserve, size / 2);
-}
-
-const char* stack_limit() {
-  thread_local const char* const limit = find_stack_limit();
-  return limit;
-}
-
-}  // namespace
-
-Evaluator::Evaluator(const Program& program, const ParamValues& params, Choices& choices, Branches* branches,
-                     Graph& graph, AddressTable& addresses, TraceRecorder* recorder, const Limits& limits)
-    : program_(program),
-      params_(params),
-      choices_(choices),
-      branches_(branches),
-      graph_(graph),
-      addresses_(addresses),
-      recorder_(recorder),
-      limits_(limits),
-      path_(graph),
-      stack_limit_(stack_limit()),
-      module_frames_(program.modules.size()),
-      module_done_(program.modules.size()) {
-  for (std::uint32_t module = 0; module < program.modules.size(); ++module) {
-    module_frames_[module] = make_frame(program.top(module), {});
+  Execution& run(Choices& choices) {
+    clear();
+    execution_.value = walk_.run(choices, effects_);
+    execution_.calls = walk_.take_calls();
+    return execution_;
   }
-}
 
-Evaluator::~Evaluator() {
-  for (const Ref<Frame>& frame : captured_frames_) frame->slots.clear();
-  for (const Ref<Frame>& frame : module_frames_) frame->slots.clear();
-}
-
-Value Evaluator::run(std::uint32_t levels) {
-  path_.levels = levels;
-  Activation root;  // stands for whoever runs the program, so that there is always a current activation
-  root.frame = module_frames_[0];
-  root.has_address = true;
-  current_ = &root;
-  try {
-    return run_module(0);
-  } catch (const PathEnd&) {
-    return {};
+ private:
+  void clear() {  // and keep the room that the last execution needed
+    execution_.rejection.reset();
+    execution_.broken.clear();
+    execution_.wishes.clear();
+    execution_.cost = 0;
+    execution_.choices.clear();
+    execution_.placements.clear();
+    execution_.unit = 1;
+    execution_.printed.clear();
   }
-}
 
-SymbolicPass Evaluator::take_pass() {
-  SymbolicPass pass;
-  pass.placements = std::move(placements_);
-  pass.unit = execution_.unit;
-  pass.complete = complete_;
-  pass.steps = total_steps_;
-  return pass;
-}
+  Walk walk_;
+  Execution execution_;
+  ExecutionEffects effects_;
+};
 
-Value Evaluator::run_module(std::uint32_t module) {
-  module_done_[module] = true;
-  Activation activation;
-  activation.function = &program_.top(module);
-  activation.frame = module_frames_[module];
-  activation.module = module;
-  activation.caller = current_;
-  const std::string& label = program_.modules[module].label;
-  activation.address = label.empty() ? addresses_.root() : addresses_.site(addresses_.root(), label);
-  activation.has_address = true;
-  return run_body(activation);
-}
+Executor::Executor(const Program& program, const ParamValues& params, AddressTable& addresses,
+                   const Limits& limits, Branches* observer)
+    : run_(std::make_unique<Run>(program, params, addresses, limits, observer)) {}
 
-Ref<Frame> Evaluator::make_frame(const Function& function, Ref<Frame> outer, std::vector<Value> arguments) {
-  arguments.resize(function.slots.size());
-  Ref<Frame> frame = make_ref<Frame>(std::move(arguments), std::move(outer), frames_made_++);
-  if (function.captured) captured_frames_.push_back(frame);
-  return frame;
-}
+Executor::~Executor() = default;
+
+Execution& Executor::run(Choices& choices) { return run_->run(choices); }
 
 Execution execute(const Program& program, const ParamValues& params, Choices& choices,
                   AddressTable& addresses, const Limits& limits, Branches* observer) {
-  Graph graph;
-  Evaluator evaluator(program, params, choices, observer, graph, addresses, nullptr, limits);
-  Value value = evaluator.run();
-  Execution execution = evaluator.take_execution();
-  execution.value = std::move(value);
+  Executor executor(program, params, addresses, limits, observer);
+  Execution execution = std::move(executor.run(choices));
+  add_texts(execution, program, addresses);
   return execution;
+}
+
+TracedExecution trace_execution(const Program& program, const ParamValues& params, Choices& choices,
+                                Graph& graph, AddressTable& addresses, const Limits& limits) {
+  TracedExecution traced;
+  TracedEffects effects(traced, graph);
+  Walk walk(program, params, addresses, limits, &graph, nullptr);
+  traced.execution.value = walk.run(choices, effects);
+  traced.execution.calls = walk.take_calls();
+  collect_nodes(traced.execution.value, traced.trace.returned);
+  return traced;
 }
 
 SymbolicPass trace(const Program& program, const ParamValues& params, Choices& choices, Branches& branches,
                    std::uint32_t levels, Graph& graph, AddressTable& addresses, const Limits& limits) {
-  TraceRecorder recorder;
-  Evaluator evaluator(program, params, choices, &branches, graph, addresses, &recorder, limits);
-  Value value = evaluator.run(levels);
-  SymbolicPass pass = evaluator.take_pass();
-  pass.value = std::move(value);
-  pass.trace = recorder.finish(graph);
+  SymbolicPass pass;
+  Walk walk(program, params, addresses, limits, &graph, &branches);
+  SymbolicEffects effects(pass, graph, walk.path());
+  pass.value = walk.run(choices, effects, levels);
+  pass.calls = walk.take_calls();
+  pass.steps = walk.steps();
+  pass.trace = effects.segments()->finish(graph);
   collect_nodes(pass.value, pass.trace.returned);
   return pass;
 }

@@ -1,8 +1,6 @@
 #pragma once
-#include <functional>
-#include <map>
+#include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "base/stop_signal.h"
@@ -10,6 +8,7 @@
 #include "solitaire/names/program.h"
 #include "solitaire/run/choices.h"
 #include "solitaire/run/execution.h"
+#include "solitaire/run/params.h"
 #include "solitaire/value/value.h"
 
 namespace solitaire {
@@ -30,16 +29,37 @@ struct Limits {
   bool keep_going = false;
 };
 
-/// Values that replace the params' defaults.
-using ParamValues = std::map<std::string, Value>;
+/// Runs a program over and over. What one execution needs is kept for the next, so that a short one costs no
+/// more than its steps.
+class Executor {
+ public:
+  /// The program, the params' values and the table must outlive it. The observer, which may be null, is told
+  /// of every branch that is taken.
+  Executor(const Program& program, const ParamValues& params, AddressTable& addresses, const Limits& limits,
+           Branches* observer = nullptr);
+  ~Executor();
 
-/// Runs the program once with every choice answered. Placements lack AnsweredChoices; whoever knows what an
-/// object depends on adds them. Throws ProgramError for a mistake in the program, Interrupted.
+  /// Runs the program with every choice answered. The result has no texts (see add_texts()), and is valid
+  /// until the next run; it may be moved from. Throws ProgramError for an error of the program, Interrupted.
+  Execution& run(Choices& choices);
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
+
+/// Runs the program once with every choice answered, and adds the texts. Placements lack AnsweredChoices;
+/// whoever knows what an object depends on adds them. Throws as Executor::run.
 Execution execute(const Program& program, const ParamValues& params, Choices& choices,
                   AddressTable& addresses, const Limits& limits, Branches* observer = nullptr);
 
-/// A call of place() in a symbolic pass: what it was called with, and of the placement what never depends on
-/// choices.
+/// Runs the program once with every choice answered, and traces it: each value that comes from choices
+/// carries the node that says how. A branch goes where its condition leads, and the condition is kept. Throws
+/// as Executor::run, and where an int can grow past 62 bits with other values of the choices.
+TracedExecution trace_execution(const Program& program, const ParamValues& params, Choices& choices,
+                                Graph& graph, AddressTable& addresses, const Limits& limits);
+
+/// A call of place() in a symbolic pass: what it was called with, and where.
 struct SymbolicPlacement {
   Placement placement;
   const CallExpr* site = nullptr;
@@ -52,8 +72,9 @@ struct SymbolicPass {
   Trace trace;
   Value value;                                // of the program, where some path came to its end; else Unset
   std::vector<SymbolicPlacement> placements;  // as numbered by Trace::placed
-  double unit = 1;                            // as of an Execution
-  /// Whether all that an execution does can be read off the pass; else some of it only shows when it is run.
+  std::vector<CallRecord> calls;              // on the way to placements
+  double unit = 1;                            // metres in one unit of the program
+  /// False if some of what an execution does shows only when it is run.
   bool complete = true;
   std::uint64_t steps = 0;  // evaluated in all
 };
@@ -63,11 +84,5 @@ struct SymbolicPass {
 /// Interrupted. Mistakes in the program become TraceProgramErrors.
 SymbolicPass trace(const Program& program, const ParamValues& params, Choices& choices, Branches& branches,
                    std::uint32_t levels, Graph& graph, AddressTable& addresses, const Limits& limits);
-
-/// Reads a param's value from the text of a command line's --set: a constant of the language. A text that is
-/// no constant is taken as a string where the default is one. Throws ProgramError whose spans refer to a
-/// source that is added to `sources`.
-ParamValues read_params(const Program& program,
-                        const std::vector<std::pair<std::string, std::string>>& settings, SourceSet& sources);
 
 }  // namespace solitaire

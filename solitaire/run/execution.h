@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "solitaire/names/program.h"
 #include "solitaire/value/value.h"
 #include "tracegraph/trace.h"
 
@@ -18,6 +19,14 @@ struct AnsweredChoice {
   Kind kind = Kind::kRange;
   TypedScalar value;  // of choose(): the position in the list, from 0
 };
+
+/// A call on the way to a placed thing.
+struct CallRecord {
+  std::uint32_t caller;      // its number in the same list, or kNoCall
+  AddressId address;         // of the call
+  const Function* function;  // that was called
+};
+inline constexpr std::uint32_t kNoCall = UINT32_MAX;
 
 /// A thing that `place` put into the scene, in the program's own coordinates and units:
 /// x runs right, y into the depth, z up.
@@ -35,6 +44,11 @@ struct Placement {
   std::vector<std::pair<std::string, std::string>>
       extras;          // further named arguments: name, value as JSON text
   std::string source;  // "file.sol:12:3", the place call
+
+  // From these, add_texts() makes `address`, `calls` and `source`.
+  AddressId id;
+  Span span;
+  std::uint32_t call = kNoCall;  // in Execution::calls
 };
 
 /// Why an execution was ruled out.
@@ -45,13 +59,15 @@ struct Rejection {
   std::string address;
   std::string message;               // the author's, or ""
   std::vector<std::string> choices;  // of a broken assert in a solution: the choices it depends on
+  AddressId id;                      // from which add_texts() makes `address`
 };
 
-/// What a wish of the program costs an execution: prefer, minimize and maximize.
+/// The cost to an execution of a wish of the program: prefer, minimize or maximize.
 struct WishCost {
   std::int64_t cost = 0;
   Span span;
   std::string address;
+  AddressId id;  // from which add_texts() makes `address`
 };
 
 /// A choice that an execution met.
@@ -61,7 +77,7 @@ struct MetChoice {
   TypedScalar value;
 };
 
-/// What one run with answered choices came to.
+/// The result of one run with answered choices.
 struct Execution {
   std::optional<Rejection> rejection;  // nothing in a solution
   std::vector<Rejection> broken;       // asserts past which it went on; see Limits::keep_going
@@ -70,8 +86,29 @@ struct Execution {
   Value value;                         // what the program returned
   std::vector<MetChoice> choices;      // in the order in which they were met
   std::vector<Placement> placements;
+  std::vector<CallRecord> calls;     // on the way to placements
   double unit = 1;                   // metres in one unit of the program
   std::vector<std::string> printed;  // lines
+};
+
+/// Writes the texts of an execution's addresses, calls and places, which cost more than the execution itself.
+void add_texts(Execution& execution, const Program& program, const AddressTable& addresses);
+/// Does so for one placement, whose call is one of `calls`.
+void add_texts(Placement& placement, const std::vector<CallRecord>& calls, const Program& program,
+               const AddressTable& addresses);
+
+/// A condition that a traced execution followed at a branch.
+struct PathCondition {
+  NodeId holds;  // is true wherever an execution takes the same side
+  Span span;
+};
+
+/// An execution, and how all that it came to comes from its choices, as nodes of a graph. The nodes say what
+/// executions with other values of the choices come to, as long as they take the same path.
+struct TracedExecution {
+  Execution execution;              // its value carries nodes
+  Trace trace;                      // choices, asserts, wishes and placed things, each under the guard true
+  std::vector<PathCondition> path;  // in the order in which they were met
 };
 
 }  // namespace solitaire

@@ -1,20 +1,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "solitaire/run/evaluation.h"
+#include "solitaire/run/walk.h"
 
 namespace solitaire {
-namespace {
 
-bool is_assert(const Value& callee) {
-  static const Builtin* const assert_builtin = &builtins()[*find_builtin("assert")];
-  const auto* builtin = callee.get<Value::BuiltinRef>();
-  return builtin != nullptr && *builtin == assert_builtin;
-}
-
-}  // namespace
-
-Value Evaluator::expression(const Expr& node) {
+Value Walk::expression(const Expr& node) {
   switch (node.kind) {
     case ExprKind::kLiteral:
       return literal(static_cast<const LiteralExpr&>(node));
@@ -25,19 +16,21 @@ Value Evaluator::expression(const Expr& node) {
     case ExprKind::kUnary:
       return unary_expression(static_cast<const UnaryExpr&>(node));
     case ExprKind::kBinary:
-      return binary(static_cast<const BinaryExpr&>(node));
+      return binary_expression(static_cast<const BinaryExpr&>(node));
     case ExprKind::kLogical:
       return logical(static_cast<const LogicalExpr&>(node));
     case ExprKind::kCall:
       return call(static_cast<const CallExpr&>(node));
     case ExprKind::kIndex: {
       const auto& index = static_cast<const IndexExpr&>(node);
-      const Value object = expression(*index.object);
-      return element(object, expression(*index.index), node.span);
+      Value objects, indices;
+      const Value& object = operand(*index.object, objects);
+      return element(object, operand(*index.index, indices), node.span);
     }
     case ExprKind::kField: {
       const auto& access = static_cast<const FieldExpr&>(node);
-      return field(expression(*access.object), access);
+      Value objects;
+      return field(operand(*access.object, objects), access);
     }
     case ExprKind::kIf:
       return if_expression(static_cast<const IfExpr&>(node));
@@ -51,32 +44,42 @@ Value Evaluator::expression(const Expr& node) {
   return {};
 }
 
-Value Evaluator::literal(const LiteralExpr& node) {
-  struct ToValue {
-    Value operator()(std::monostate) const { return Value::nil(); }
-    Value operator()(bool b) const { return b; }
-    Value operator()(std::int64_t i) const { return i; }
-    Value operator()(double d) const { return d; }
-    Value operator()(const std::string& text) const { return Value::string(text); }
-  };
-  return std::visit(ToValue{}, node.value);
+/// Nothing that an expression evaluates assigns the variable that it names, so the reference holds while
+/// other operands are evaluated.
+const Value& Walk::operand(const Expr& node, Value& storage) {
+  if (node.kind == ExprKind::kName) {
+    const Binding& binding = static_cast<const NameExpr&>(node).binding;
+    if (binding.kind == Binding::Kind::kLocal) {
+      const Value& value = slot(binding.slot);
+      if (!value.is<Value::Unset>() && value.as_union() == nullptr) return value;
+    }
+  }
+  return storage = expression(node);
 }
 
-Value Evaluator::name(const NameExpr& node) {
+Value Walk::literal(const LiteralExpr& node) {
+  if (const auto* i = std::get_if<std::int64_t>(&node.value)) return *i;
+  if (const auto* text = std::get_if<std::string>(&node.value)) return Value::string(*text);
+  if (const auto* b = std::get_if<bool>(&node.value)) return *b;
+  if (const auto* d = std::get_if<double>(&node.value)) return *d;
+  return Value::nil();
+}
+
+Value Walk::name(const NameExpr& node) {
   const Binding& binding = node.binding;
   switch (binding.kind) {
     case Binding::Kind::kLocal:
-      return read(*current_->frame, binding.slot, node);
+      return read(frame(), binding.slot, node);
     case Binding::Kind::kOuter: {
-      const Frame* frame = current_->frame.get();
-      for (std::uint32_t level = 0; level < binding.level; ++level) frame = frame->outer.get();
-      note_read(*frame, binding.slot, frame->slots[binding.slot]);
-      return read(*frame, binding.slot, node);
+      const Frame* outer = &frame();
+      for (std::uint32_t level = 0; level < binding.level; ++level) outer = outer->outer.get();
+      note_read(*outer, binding.slot, outer->slots[binding.slot]);
+      return read(*outer, binding.slot, node);
     }
     case Binding::Kind::kModule: {
-      const Frame& frame = *module_frames_[binding.level];
-      note_read(frame, binding.slot, frame.slots[binding.slot]);
-      return read(frame, binding.slot, node);
+      const Frame& top = *module_frames_[binding.level];
+      note_read(top, binding.slot, top.slots[binding.slot]);
+      return read(top, binding.slot, node);
     }
     case Binding::Kind::kBuiltin:
       return &builtins()[binding.level];
@@ -86,8 +89,8 @@ Value Evaluator::name(const NameExpr& node) {
   return Value::nil();
 }
 
-/// A variable's value; a mistake on the paths that did not assign it.
-Value Evaluator::read(const Frame& frame, Slot slot, const NameExpr& node) {
+/// A variable's value; an error of the program on the paths that did not assign it.
+Value Walk::read(const Frame& frame, Slot slot, const NameExpr& node) {
   const Value& value = frame.slots[slot];
   if (!value.is<Value::Unset>() && value.as_union() == nullptr) return value;
   return each_shape(value, [&](const Value& one) {
@@ -99,22 +102,23 @@ Value Evaluator::read(const Frame& frame, Slot slot, const NameExpr& node) {
   });
 }
 
-Value Evaluator::list(const ListExpr& node) {
+Value Walk::list(const ListExpr& node) {
   std::vector<Value> items;
   items.reserve(node.items.size());
   for (const ExprPtr& item : node.items) items.push_back(expression(*item));
   return make_list(std::move(items), node.span);
 }
 
-Value Evaluator::unary_expression(const UnaryExpr& node) {
-  const Value operand = expression(*node.operand);
-  if (node.op == UnaryOp::kNegate) return negated(operand, node.span);
-  return value_of(graph_, graph_.negation(condition(operand, node.operand->span)));
+Value Walk::unary_expression(const UnaryExpr& node) {
+  if (node.op == UnaryOp::kNot) return invert(tested(*node.operand));
+  Value storage;
+  return negated(operand(*node.operand, storage), node.span);
 }
 
-Value Evaluator::binary(const BinaryExpr& node) {
-  const Value left = expression(*node.left);
-  const Value right = expression(*node.right);
+Value Walk::binary_expression(const BinaryExpr& node) {
+  Value lefts, rights;
+  const Value& left = operand(*node.left, lefts);
+  const Value& right = operand(*node.right, rights);
   switch (node.op) {
     case BinaryOp::kEqual:
       return equal(left, right);
@@ -132,28 +136,27 @@ Value Evaluator::binary(const BinaryExpr& node) {
   }
 }
 
-Value Evaluator::logical(const LogicalExpr& node) {
-  const NodeId left = condition(expression(*node.left), node.left->span);
-  const auto right = [&] { return value_of(graph_, condition(expression(*node.right), node.right->span)); };
+Value Walk::logical(const LogicalExpr& node) {
+  const Value left = tested(*node.left);
+  const auto right = [&] { return tested(*node.right); };
   const auto settled = [&] { return Value(!node.is_and); };
   if (node.is_and) return choose_side(left, node.site, node.left->span, node.assigned, right, settled);
   return choose_side(left, node.site, node.left->span, node.assigned, settled, right);
 }
 
-Value Evaluator::if_expression(const IfExpr& node) {
-  const NodeId holds = condition(expression(*node.condition), node.condition->span);
+Value Walk::if_expression(const IfExpr& node) {
   return choose_side(
-      holds, node.site, node.condition->span, node.assigned, [&] { return expression(*node.then_value); },
-      [&] { return expression(*node.else_value); });
+      tested(*node.condition), node.site, node.condition->span, node.assigned,
+      [&] { return expression(*node.then_value); }, [&] { return expression(*node.else_value); });
 }
 
-Value Evaluator::function(const FunctionExpr& node) {
+Value Walk::function(const FunctionExpr& node) {
   const bool top_level = current_->function == &program_.top(current_->module);
   return make_ref<Closure>(node.function.get(), top_level ? Ref<Frame>() : current_->frame, current_->module);
 }
 
-/// An assert whose conjuncts are looked at one by one; false if its arguments are not as they should be.
-bool Evaluator::assert_apart(const CallExpr& node) {
+/// Runs an assert whose conjuncts are looked at one by one; false if its arguments are not as they should be.
+bool Walk::assert_apart(const CallExpr& node) {
   const auto& given = node.arguments;
   const bool by_position =
       std::all_of(given.begin(), given.end(), [](const Argument& argument) { return argument.name.empty(); });
@@ -167,7 +170,7 @@ bool Evaluator::assert_apart(const CallExpr& node) {
   return true;
 }
 
-void Evaluator::assert_conjuncts(const Expr& condition, Span whole, const std::string& message) {
+void Walk::assert_conjuncts(const Expr& condition, Span whole, const std::string& message) {
   if (condition.kind == ExprKind::kLogical) {
     const auto& logical = static_cast<const LogicalExpr&>(condition);
     if (logical.is_and) {
@@ -175,27 +178,7 @@ void Evaluator::assert_conjuncts(const Expr& condition, Span whole, const std::s
       return assert_conjuncts(*logical.right, whole, message);
     }
   }
-  note(truth_of(condition), ConstraintKind::kAssert, condition.span, whole, message, address_of("assert"));
-}
-
-Value Evaluator::call(const CallExpr& node) {
-  const Value callee = expression(*node.callee);
-  if (limits_.keep_going && is_assert(callee) && assert_apart(node)) return Value::nil();
-  std::vector<Value> positional;
-  std::vector<std::pair<const Argument*, Value>> named;
-  // They become the variables of the function.
-  const Closure* closure = callee.object<Closure>();
-  positional.reserve(closure != nullptr ? closure->function->slots.size() : node.arguments.size());
-  for (const Argument& argument : node.arguments) {
-    if (argument.name.empty()) {
-      if (!named.empty())
-        program_error(argument.value->span, "an argument by position stands behind a named one");
-      positional.push_back(expression(*argument.value));
-    } else {
-      named.emplace_back(&argument, expression(*argument.value));
-    }
-  }
-  return call_value(callee, node, std::move(positional), std::move(named));
+  note_broken(truth_apart([&] { return tested(condition); }), condition.span, whole, &message);
 }
 
 }  // namespace solitaire

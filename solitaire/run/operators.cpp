@@ -1,6 +1,6 @@
-#include <fmt/format.h>
+#include "solitaire/run/operators.h"
 
-#include "solitaire/run/evaluation.h"
+#include <fmt/format.h>
 
 namespace solitaire {
 namespace {
@@ -34,10 +34,76 @@ const char* comparison_symbol(BinaryOp op) {
 }
 
 bool constant(const Value& value) { return !value.is<Symbol>(); }
+bool is_scalar(const Value& value) { return value.has_type(Type::kBool) || value.is_number(); }
+
+Scalar scalar_of(const Value& value) {
+  if (const bool* b = value.get<bool>()) return Scalar::of(*b);
+  if (const std::int64_t* i = value.get<std::int64_t>()) return Scalar::of(*i);
+  return Scalar::of(*value.get<double>());
+}
+
+Value value_of_scalar(Type type, Scalar scalar) {
+  switch (type) {
+    case Type::kBool:
+      return scalar.i != 0;
+    case Type::kInt:
+      return scalar.i;
+    case Type::kFloat:
+      break;
+  }
+  return scalar.f;
+}
+
+Value without_node(const Value& value) {
+  if (const bool* b = value.get<bool>()) return *b;
+  if (const std::int64_t* i = value.get<std::int64_t>()) return *i;
+  return *value.get<double>();
+}
+
+constexpr std::size_t kMostOperands = 2;
+
+/// How deep lists and records may nest in each other.
+constexpr std::uint32_t kDeepestValue = 500;
 
 }  // namespace
 
-Value Evaluator::arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
+// ---- operations of the table
+
+Value Operators::operate(Op op, std::span<const Value> operands, Span span) {
+  bool all_constant = true;
+  bool any_traced = false;
+  for (const Value& operand : operands) {
+    all_constant = all_constant && constant(operand);
+    any_traced = any_traced || operand.traced();
+  }
+  if (!all_constant) return value_of(*graph_, node_of_operation(op, operands, span));
+  const Value result = fold(op, operands, span);
+  return any_traced ? result.with_node(*graph_, node_of_operation(op, operands, span)) : result;
+}
+
+Value Operators::fold(Op op, std::span<const Value> operands, Span span) {
+  const Operation& row = operation(op);
+  Scalar scalars[kMostOperands];
+  for (std::size_t i = 0; i < operands.size(); ++i) scalars[i] = scalar_of(operands[i]);
+  const auto result = row.fold(scalars);
+  if (!result && operands.size() == 1 && row.operand == Type::kFloat)
+    program_error(span, fmt::format("'{}' of {} has no value", row.name, to_text(operands[0])));
+  if (!result) too_large(span);
+  return value_of_scalar(row.result, *result);
+}
+
+NodeId Operators::node_of_operation(Op op, std::span<const Value> operands, Span span) {
+  if (operands.size() == 1) return apply(op, {node_of(*graph_, operands[0])}, span);
+  return apply(op, {node_of(*graph_, operands[0]), node_of(*graph_, operands[1])}, span);
+}
+
+void Operators::too_large(Span span) {
+  program_error(span, "this int grows past 62 bits", "ints lie between -(2^62 - 1) and 2^62 - 1");
+}
+
+// ---- arithmetic
+
+Value Operators::arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
   if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_arithmetic(op, a, b, span);
   if (a.as_union() == nullptr && b.as_union() == nullptr) return arithmetic_shaped(op, a, b, span);
   return each_shape(a, [&](const Value& x) {
@@ -45,13 +111,15 @@ Value Evaluator::arithmetic(BinaryOp op, const Value& a, const Value& b, Span sp
   });
 }
 
-Value Evaluator::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, Span span) {
+Value Operators::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, Span span) {
   if (a.is_number() && b.is_number()) {
     const bool ints = a.has_type(Type::kInt) && b.has_type(Type::kInt);
     return ints ? int_arithmetic(op, a, b, span) : float_arithmetic(op, a, b, span);
   }
   if (op == BinaryOp::kAdd && a.as_list() != nullptr && b.as_list() != nullptr) {
-    std::vector<Value> items = a.as_list()->items;
+    std::vector<Value> items;
+    items.reserve(a.as_list()->items.size() + b.as_list()->items.size());
+    items = a.as_list()->items;
     items.insert(items.end(), b.as_list()->items.begin(), b.as_list()->items.end());
     step(span, items.size());
     return make_list(std::move(items), span);
@@ -73,44 +141,25 @@ Value Evaluator::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, 
       op == BinaryOp::kAdd ? help : "");
 }
 
-Value Evaluator::int_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
+Value Operators::int_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
   const bool divides = op == BinaryOp::kDivide || op == BinaryOp::kModulo;
-  if (divides && constant(b) && *b.get<std::int64_t>() == 0) reject(ConstraintKind::kDivisor, span);
-  if (divides && !constant(b)) {
-    const NodeId divisor = node_of(graph_, b);
-    const NodeId zero = graph_.constant(std::int64_t{0});
-    require(graph_.negation(graph_.apply(Op::kEqInt, {divisor, zero})), ConstraintKind::kDivisor, span);
-  }
-  return apply_value(arithmetic_of(op).on_ints, a, b, span);
-}
-
-/// An int operation on constants, without the graph, or on nodes.
-Value Evaluator::apply_value(Op op, const Value& a, const Value& b, Span span) {
-  if (constant(a) && constant(b)) {
-    const Scalar operands[] = {Scalar::of(*a.get<std::int64_t>()), Scalar::of(*b.get<std::int64_t>())};
-    const Operation& row = operation(op);
-    const auto result = row.fold(operands);
-    if (!result) {
-      program_error(span, "this int grows past 62 bits", "ints lie between -(2^62 - 1) and 2^62 - 1");
+  if (divides) {
+    const std::int64_t* divisor = b.plain<std::int64_t>();
+    if (divisor == nullptr) {
+      require(invert(binary(Op::kEqInt, b, std::int64_t{0}, span)), ConstraintKind::kDivisor, span);
+    } else if (*divisor == 0) {
+      reject(ConstraintKind::kDivisor, span);
     }
-    if (row.result == Type::kBool) return result->i != 0;
-    return result->i;
   }
-  return value_of(graph_, apply(op, {node_of(graph_, a), node_of(graph_, b)}, span));
+  return int_operation(arithmetic_of(op).on_ints, a, b, span);
 }
 
-NodeId Evaluator::float_node(const Value& number, Span span) {
-  const NodeId node = node_of(graph_, number);
-  return number.has_type(Type::kFloat) ? node : apply(Op::kToFloat, {node}, span);
+Value Operators::to_float(const Value& number, Span span) {
+  if (const auto* i = number.plain<std::int64_t>()) return static_cast<double>(*i);
+  return number.has_type(Type::kFloat) ? number : unary(Op::kToFloat, number, span);
 }
 
-Value Evaluator::to_float(const Value& number, Span span) {
-  if (const auto* i = number.get<std::int64_t>()) return static_cast<double>(*i);
-  if (number.is<double>()) return number;
-  return value_of(graph_, float_node(number, span));
-}
-
-Value Evaluator::float_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
+Value Operators::float_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
   const Arithmetic& row = arithmetic_of(op);
   if (!row.on_floats) {
     program_error(span,
@@ -118,40 +167,18 @@ Value Evaluator::float_arithmetic(BinaryOp op, const Value& a, const Value& b, S
   }
   const Value x = to_float(a, span);
   const Value y = to_float(b, span);
-  if (op == BinaryOp::kDivide) {
-    require(condition(invert(equal(b, std::int64_t{0})), span), ConstraintKind::kDivisor, span);
-  }
-  if (constant(x) && constant(y)) {
-    const Scalar operands[] = {Scalar::of(*x.get<double>()), Scalar::of(*y.get<double>())};
-    return operation(*row.on_floats).fold(operands)->f;
-  }
-  return value_of(graph_, apply(*row.on_floats, {node_of(graph_, x), node_of(graph_, y)}, span));
+  if (op == BinaryOp::kDivide) require(invert(equal(b, std::int64_t{0})), ConstraintKind::kDivisor, span);
+  return binary(*row.on_floats, x, y, span);
 }
 
-Value Evaluator::negated(const Value& value, Span span) {
-  if (const auto* i = value.get<std::int64_t>()) return -*i;
-  if (const auto* d = value.get<double>()) return -*d;
+Value Operators::negated(const Value& value, Span span) {
   return each_shape(value, [&](const Value& one) -> Value {
     if (!one.is_number()) program_error(span, fmt::format("'-' does not go with {}", describe(one)));
-    const Op op = one.has_type(Type::kInt) ? Op::kNeg : Op::kNegFloat;
-    return value_of(graph_, apply(op, {node_of(graph_, one)}, span));
+    return unary(one.has_type(Type::kInt) ? Op::kNeg : Op::kNegFloat, one, span);
   });
 }
 
-Value Evaluator::unary(Op op, const Value& value, Span span) {
-  const Operation& row = operation(op);
-  if (constant(value)) {
-    const Scalar operand =
-        row.operand == Type::kInt ? Scalar::of(*value.get<std::int64_t>()) : Scalar::of(*value.get<double>());
-    const auto result = row.fold(&operand);
-    if (!result) program_error(span, fmt::format("'{}' of {} has no value", row.name, to_text(value)));
-    if (row.result == Type::kInt) return result->i;
-    return result->f;
-  }
-  return value_of(graph_, apply(op, {node_of(graph_, value)}, span));
-}
-
-Value Evaluator::pick(Op int_op, const Value& a, const Value& b, Span span) {
+Value Operators::pick(Op int_op, const Value& a, const Value& b, Span span) {
   if (a.as_union() != nullptr || b.as_union() != nullptr) {
     return each_shape(a, [&](const Value& x) {
       return each_shape(b, [&](const Value& y) { return pick(int_op, x, y, span); });
@@ -161,14 +188,14 @@ Value Evaluator::pick(Op int_op, const Value& a, const Value& b, Span span) {
     program_error(span, fmt::format("'{}' needs numbers, here is {}", operation(int_op).name,
                                     describe(a.is_number() ? b : a)));
   }
-  if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return apply_value(int_op, a, b, span);
+  if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_operation(int_op, a, b, span);
   const Value smaller = compare(BinaryOp::kLessEqual, a, b, span);
-  const NodeId first =
-      int_op == Op::kMin ? condition(smaller, span) : graph_.negation(condition(smaller, span));
-  return merge(graph_, first, to_float(a, span), to_float(b, span));
+  return select(int_op == Op::kMin ? smaller : invert(smaller), to_float(a, span), to_float(b, span), span);
 }
 
-Value Evaluator::compare(BinaryOp op, const Value& a, const Value& b, Span span) {
+// ---- comparison
+
+Value Operators::compare(BinaryOp op, const Value& a, const Value& b, Span span) {
   if (a.as_union() != nullptr || b.as_union() != nullptr) {
     return each_shape(a, [&](const Value& x) {
       return each_shape(b, [&](const Value& y) { return compare(op, x, y, span); });
@@ -183,67 +210,23 @@ Value Evaluator::compare(BinaryOp op, const Value& a, const Value& b, Span span)
   const Value& left = swapped ? b : a;
   const Value& right = swapped ? a : b;
   if (left.has_type(Type::kInt) && right.has_type(Type::kInt)) {
-    return apply_value(strict ? Op::kLtInt : Op::kLeInt, left, right, span);
+    return int_operation(strict ? Op::kLtInt : Op::kLeInt, left, right, span);
   }
-  const Value x = to_float(left, span);
-  const Value y = to_float(right, span);
-  if (constant(x) && constant(y)) {
-    return strict ? *x.get<double>() < *y.get<double>() : *x.get<double>() <= *y.get<double>();
-  }
-  return value_of(
-      graph_, apply(strict ? Op::kLtFloat : Op::kLeFloat, {node_of(graph_, x), node_of(graph_, y)}, span));
+  return binary(strict ? Op::kLtFloat : Op::kLeFloat, to_float(left, span), to_float(right, span), span);
 }
 
-Value Evaluator::invert(const Value& condition) {
-  if (const bool* known = condition.get<bool>()) return !*known;
-  return value_of(graph_, graph_.negation(node_of(graph_, condition)));
-}
-
-Value Evaluator::both(const Value& a, const Value& b) {
-  if (const bool* known = a.get<bool>()) return *known ? b : a;
-  if (const bool* known = b.get<bool>()) return *known ? a : b;
-  return value_of(graph_, graph_.conjunction(node_of(graph_, a), node_of(graph_, b)));
-}
-
-Value Evaluator::either(const Value& a, const Value& b) { return invert(both(invert(a), invert(b))); }
-
-/// A text that only the replay of a solution knows; `span` is what makes it.
-Value Evaluator::opaque_string(Span span) {
-  Ref<String> text = make_ref<String>("?");
-  text->opaque = span;
-  return text;
-}
-
-void Evaluator::check_known(const Value& text) {
-  if (const auto& opaque = text.object<String>()->opaque) {
-    unsupported(*opaque, "this text depends on choices, and the program looks at what it says",
-                "look at the values that it is made of");
-  }
-}
-
-Value Evaluator::equal(const Value& a, const Value& b) {
+Value Operators::equal(const Value& a, const Value& b) {
   if (a.as_union() == nullptr && b.as_union() == nullptr) return equal_shaped(a, b);
   return each_shape(
       a, [&](const Value& x) { return each_shape(b, [&](const Value& y) { return equal_shaped(x, y); }); });
 }
 
-Value Evaluator::equal_shaped(const Value& a, const Value& b) {
+Value Operators::equal_shaped(const Value& a, const Value& b) {
+  if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_operation(Op::kEqInt, a, b, {});
   if (a.is_number() && b.is_number()) {
-    if (const auto* x = a.get<std::int64_t>()) {
-      if (const auto* y = b.get<std::int64_t>()) return *x == *y;
-    }
-    if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) {
-      return value_of(graph_, graph_.apply(Op::kEqInt, {node_of(graph_, a), node_of(graph_, b)}));
-    }
-    const Value x = to_float(a, {});
-    const Value y = to_float(b, {});
-    if (constant(x) && constant(y)) return *x.get<double>() == *y.get<double>();
-    return value_of(graph_, graph_.apply(Op::kEqFloat, {node_of(graph_, x), node_of(graph_, y)}));
+    return binary(Op::kEqFloat, to_float(a, {}), to_float(b, {}), {});
   }
-  if (a.has_type(Type::kBool) && b.has_type(Type::kBool)) {
-    if (constant(a) && constant(b)) return *a.get<bool>() == *b.get<bool>();
-    return value_of(graph_, graph_.apply(Op::kEqBool, {node_of(graph_, a), node_of(graph_, b)}));
-  }
+  if (a.has_type(Type::kBool) && b.has_type(Type::kBool)) return binary(Op::kEqBool, a, b, {});
   if (const List* list = a.as_list(); list != nullptr && b.as_list() != nullptr) {
     return equal_members(list->items, b.as_list()->items);
   }
@@ -258,28 +241,101 @@ Value Evaluator::equal_shaped(const Value& a, const Value& b) {
   return same(a, b);
 }
 
-Value Evaluator::equal_members(const std::vector<Value>& a, const std::vector<Value>& b) {
+Value Operators::equal_members(const std::vector<Value>& a, const std::vector<Value>& b) {
   if (a.size() != b.size()) return false;
   Value all = true;
   for (std::size_t i = 0; i < a.size(); ++i) {
     all = both(all, equal(a[i], b[i]));
-    if (const bool* known = all.get<bool>(); known != nullptr && !*known) return false;
+    if (const bool* known = all.plain<bool>(); known != nullptr && !*known) return false;
   }
   return all;
 }
 
-NodeId Evaluator::condition(const Value& value, Span span) {
-  if (const bool* known = value.get<bool>()) return *known ? kTrue : kFalse;
-  if (const Symbol* symbol = value.get<Symbol>(); symbol != nullptr && symbol->type == Type::kBool)
-    return symbol->node;
-  const Value checked = each_shape(value, [&](const Value& one) {
-    if (!one.has_type(Type::kBool)) {
-      program_error(span, fmt::format("a condition is true or false, not {}", describe(one)),
-                    one.has_type(Type::kInt) ? "compare it with something: x != 0" : "");
-    }
-    return one;
-  });
-  return node_of(graph_, checked);
+// ---- conditions and selection
+
+Value Operators::invert(const Value& condition) {
+  if (const bool* known = condition.plain<bool>()) return !*known;
+  return unary(Op::kNot, condition, {});
+}
+
+Value Operators::both(const Value& a, const Value& b) {
+  if (const bool* known = a.plain<bool>()) return *known ? b : a;
+  if (const bool* known = b.plain<bool>()) return *known ? a : b;
+  return binary(Op::kAnd, a, b, {});
+}
+
+Value Operators::either(const Value& a, const Value& b) {
+  if (const bool* known = a.plain<bool>()) return *known ? a : b;
+  return invert(both(invert(a), invert(b)));
+}
+
+Value Operators::select(const Value& condition, const Value& a, const Value& b, Span span) {
+  const bool* known = condition.get<bool>();
+  if (known == nullptr) return merge(*graph_, node_of(*graph_, condition), a, b);
+  const Value& selected = *known ? a : b;
+  if (!condition.traced() || a.identical(b)) return selected;
+  if (is_scalar(a) && a.kind() == b.kind()) {
+    return selected.with_node(*graph_,
+                              graph_->phi(condition.node(), node_of(*graph_, a), node_of(*graph_, b)));
+  }
+  const List* list = a.as_list();
+  if (list != nullptr && b.as_list() != nullptr && list->items.size() == b.as_list()->items.size())
+    return Value::list(select_members(condition, list->items, b.as_list()->items, span));
+  const Record* record = a.object<Record>();
+  if (record != nullptr && b.object<Record>() != nullptr && record->type == b.object<Record>()->type) {
+    return make_ref<Record>(record->type,
+                            select_members(condition, record->fields, b.object<Record>()->fields, span));
+  }
+  if (!same(a, b)) follow(condition, span);
+  return selected;
+}
+
+std::vector<Value> Operators::select_members(const Value& condition, const std::vector<Value>& a,
+                                             const std::vector<Value>& b, Span span) {
+  std::vector<Value> selected;
+  selected.reserve(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) selected.push_back(select(condition, a[i], b[i], span));
+  return selected;
+}
+
+const Value& Operators::fixed(const Value& value, Span span) {
+  if (value.traced()) {
+    follow(equal(value, without_node(value)), span);
+  } else if (const List* list = value.as_list()) {
+    for (const Value& item : list->items) fixed(item, span);
+  } else if (const Record* record = value.object<Record>()) {
+    for (const Value& item : record->fields) fixed(item, span);
+  }
+  return value;
+}
+
+// ---- lists and texts
+
+Value Operators::make_list(std::vector<Value> items, Span span) {
+  Value list = Value::list(std::move(items));
+  check_nesting(list, span);
+  return list;
+}
+
+void Operators::check_nesting(const Value& value, Span span) {
+  if (nesting(value) > kDeepestValue) {
+    program_error(span, fmt::format("lists and records nest more than {} deep", kDeepestValue),
+                  "to join lists, use xs + ys");
+  }
+}
+
+/// A text that only the execution of a solution knows; `span` is what makes it.
+Value Operators::opaque_string(Span span) {
+  Ref<String> text = make_ref<String>("?");
+  text->opaque = span;
+  return text;
+}
+
+void Operators::check_known(const Value& text) {
+  if (const auto& opaque = text.object<String>()->opaque) {
+    unsupported(*opaque, "this text depends on choices, and the program looks at what it says",
+                "look at the values that it is made of");
+  }
 }
 
 }  // namespace solitaire

@@ -1,6 +1,7 @@
+#include "solitaire/run/params.h"
+
 #include <fmt/format.h>
 
-#include "solitaire/run/evaluator.h"
 #include "solitaire/syntax/parser.h"
 
 namespace solitaire {

@@ -13,7 +13,18 @@ namespace solitaire {
 /// guard is the conjunction of all regions' locals since the last detached region.
 class Path {
  public:
-  explicit Path(Graph& graph) : facts(graph), graph_(graph), regions_{{kTrue, kTrue, false}} {}
+  /// Without a graph, everything is on one path.
+  explicit Path(Graph* graph) : facts(graph), graph_(graph), regions_{{kTrue, kTrue, false}} {}
+
+  /// Goes back to the start of the program.
+  void reset() {
+    regions_.assign(1, {kTrue, kTrue, false});
+    facts.drop_from(0);
+    facts.show_from(0);
+    losses = {};
+    levels = 0;
+    steps = guarded_steps = 0;
+  }
 
   /// The whole guard, relative to the innermost detached region.
   NodeId guard() const { return conjunction(regions_.back().entry, regions_.back().local); }
@@ -21,7 +32,7 @@ class Path {
   void set_local(NodeId local) { regions_.back().local = local; }
   void narrow(NodeId condition) { set_local(conjunction(local(), condition)); }
 
-  /// Whether only some executions come here.
+  /// Returns true if only some executions come here.
   bool guarded() const { return regions_.back().guarded || local() != kTrue; }
 
   std::size_t region() const { return regions_.size() - 1; }
@@ -35,12 +46,10 @@ class Path {
   void enter_region() { regions_.push_back({guard(), kTrue, guarded()}); }
   /// Starts a region that does not know how it was reached: a segment of the trace.
   void enter_detached() { regions_.push_back({kTrue, kTrue, true}); }
-  void leave_regions_above(std::size_t region) {
-    regions_.erase(regions_.begin() + static_cast<std::ptrdiff_t>(region) + 1, regions_.end());
-  }
+  void leave_regions_above(std::size_t region) { regions_.resize(region + 1); }
 
-  /// What never came out of the constructs since the counters were last looked at; where nothing was lost,
-  /// the guard behind a construct is the one before it.
+  /// Counts the paths that did not come out of a construct. Where a counter did not change from before a
+  /// construct to behind it, nothing was lost, and the guard behind it is the one before it.
   struct Losses {
     std::uint64_t ends = 0, returns = 0, breaks = 0, continues = 0;
     friend bool operator==(const Losses&, const Losses&) = default;
@@ -56,20 +65,20 @@ class Path {
  private:
   struct Region {
     NodeId entry, local;
-    bool guarded;  // at its start
+    bool guarded = false;  // at its start
   };
   NodeId conjunction(NodeId a, NodeId b) const {
     if (a == kTrue) return b;  // a concrete execution ends here and touches no graph
     if (b == kTrue) return a;
-    return graph_.conjunction(a, b);
+    return graph_->conjunction(a, b);
   }
 
-  Graph& graph_;
+  Graph* graph_;
   std::vector<Region> regions_;
 };
 
-/// Thrown where a path ends: an assert that cannot hold, a closed branch side, a mistake. Caught where paths
-/// join.
+/// Thrown where a path ends: at an assert that cannot hold, a closed branch side, or an error of the program.
+/// Caught where paths join.
 struct PathEnd {};
 
 }  // namespace solitaire

@@ -16,20 +16,20 @@ Interval bounds_if(Op op, bool constant_left, std::int64_t constant, bool holds)
 }  // namespace
 
 std::optional<PathIntervals::Comparison> PathIntervals::comparison(NodeId condition) const {
-  const Graph::Node& node = graph_.node(condition);
+  const Graph::Node& node = graph_->node(condition);
   if (node.op != Op::kEqInt && node.op != Op::kLtInt && node.op != Op::kLeInt) return std::nullopt;
-  const bool left = graph_.node(node.operands[0]).op == Op::kConstInt;
-  const bool right = graph_.node(node.operands[1]).op == Op::kConstInt;
+  const bool left = graph_->node(node.operands[0]).op == Op::kConstInt;
+  const bool right = graph_->node(node.operands[1]).op == Op::kConstInt;
   if (left == right) return std::nullopt;
   const NodeId constant = node.operands[left ? 0 : 1];
-  return Comparison{node.operands[left ? 1 : 0], node.op, left, graph_.node(constant).interval.lo};
+  return Comparison{node.operands[left ? 1 : 0], node.op, left, graph_->node(constant).interval.lo};
 }
 
 Interval PathIntervals::interval(NodeId node) const {
   for (std::size_t i = known_.size(); i-- > first_;) {
     if (known_[i].node == node) return known_[i].interval;
   }
-  return graph_.node(node).interval;
+  return graph_->node(node).interval;
 }
 
 void PathIntervals::narrow(NodeId node, Interval bounds) {
@@ -39,7 +39,7 @@ void PathIntervals::narrow(NodeId node, Interval bounds) {
 }
 
 void PathIntervals::assume(NodeId condition, bool holds) {
-  const Graph::Node& node = graph_.node(condition);
+  const Graph::Node& node = graph_->node(condition);
   if (node.op == Op::kNot) return assume(node.operands[0], !holds);
   if ((node.op == Op::kAnd && holds) || (node.op == Op::kOr && !holds)) {
     assume(node.operands[0], holds);
@@ -60,7 +60,7 @@ void PathIntervals::assume(NodeId condition, bool holds) {
 std::optional<bool> PathIntervals::decide(NodeId condition) const {
   if (condition == kTrue || condition == kFalse) return condition == kTrue;
   if (known_.size() == first_) return std::nullopt;
-  const Graph::Node& node = graph_.node(condition);
+  const Graph::Node& node = graph_->node(condition);
   if (node.op == Op::kNot) {
     const auto inner = decide(node.operands[0]);
     return inner ? std::optional(!*inner) : std::nullopt;

@@ -7,18 +7,18 @@
 
 namespace solitaire {
 
-/// What the conditions on the current path say about single ints: narrower intervals than the graph's own,
-/// which hold for all executions. They decide the branch that ends a recursion of chosen length, without a
-/// solver: after n == 0, n == 1, n == 2 were all false, an n of 0..3 is 3.
+/// Keeps what the conditions on the current path say about single ints: narrower intervals than the graph's
+/// own, which hold for all executions. They decide the branch that ends a recursion of chosen length, without
+/// a solver: after n == 0, n == 1, n == 2 were all false, an n of 0..3 is 3.
 ///
 /// Kept as a stack: what a side of a branch assumes is dropped where the branch joins.
 class PathIntervals {
  public:
-  explicit PathIntervals(const Graph& graph) : graph_(graph) {}
+  explicit PathIntervals(const Graph* graph) : graph_(graph) {}
 
   /// From here on the condition is true, or false.
   void assume(NodeId condition, bool holds);
-  /// Whether the facts settle the condition.
+  /// Returns whether the condition holds, where the facts settle it.
   std::optional<bool> decide(NodeId condition) const;
 
   std::size_t size() const { return known_.size(); }
@@ -43,7 +43,7 @@ class PathIntervals {
   Interval interval(NodeId node) const;
   void narrow(NodeId node, Interval interval);
 
-  const Graph& graph_;
+  const Graph* graph_;  // null where no condition is ever assumed
   std::vector<Fact> known_;
   std::size_t first_ = 0;
 };

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "solitaire/run/evaluation.h"
+#include "solitaire/run/walk.h"
 
 namespace solitaire {
 
-/// Every statement says whether the path goes on behind it.
-bool Evaluator::statement(const Stmt& node) {
+/// Every statement returns whether the path goes on behind it.
+bool Walk::statement(const Stmt& node) {
   step(node.span);
   switch (node.kind) {
     case StmtKind::kAssign:
@@ -32,7 +32,7 @@ bool Evaluator::statement(const Stmt& node) {
       return true;
     case StmtKind::kRecord: {
       const auto& record = static_cast<const RecordStmt&>(node);
-      current_->frame->slots[record.slot] = make_ref<RecordType>(&record, current_->module);
+      slot(record.slot) = make_ref<RecordType>(&record, current_->module);
       return true;
     }
     case StmtKind::kImport: {
@@ -46,23 +46,22 @@ bool Evaluator::statement(const Stmt& node) {
   return true;
 }
 
-bool Evaluator::block(const BlockStmt& node) {
+bool Walk::block(const BlockStmt& node) {
   for (const StmtPtr& child : node.statements) {
     if (!statement(*child)) return false;
   }
   return true;
 }
 
-bool Evaluator::if_statement(const IfStmt& node) {
-  const NodeId holds = condition(expression(*node.condition), node.condition->span);
+bool Walk::if_statement(const IfStmt& node) {
   Value unused;
   return branch(
-      holds, node.site, node.condition->span, node.assigned, unused,
+      tested(*node.condition), node.site, node.condition->span, node.assigned, unused,
       [&](Value&) { return statement(*node.then_body); },
       [&](Value&) { return node.else_body == nullptr || statement(*node.else_body); });
 }
 
-void Evaluator::assignment(const AssignStmt& node) {
+void Walk::assignment(const AssignStmt& node) {
   if (node.op) {
     const Expr& target = *node.targets.front();
     const Value amount = expression(*node.values.front());
@@ -82,7 +81,7 @@ void Evaluator::assignment(const AssignStmt& node) {
   for (std::size_t i = 0; i < values.size(); ++i) assign(*node.targets[i], std::move(values[i]));
 }
 
-bool Evaluator::return_statement(const ReturnStmt& node) {
+bool Walk::return_statement(const ReturnStmt& node) {
   Value value = Value::nil();
   if (node.values.size() == 1) {
     value = expression(*node.values.front());
@@ -91,17 +90,12 @@ bool Evaluator::return_statement(const ReturnStmt& node) {
     for (const ExprPtr& each : node.values) values.push_back(expression(*each));
     value = make_list(std::move(values), node.span);
   }
-  std::vector<Slot> slots;
-  if (symbolic() && current_->function->captured) {
-    slots.resize(current_->frame->slots.size());
-    for (Slot slot = 0; slot < slots.size(); ++slot) slots[slot] = slot;
-  }
-  add_exit(current_->returns, path_.guard_since(current_->region), slots, std::move(value));
+  add_exit(current_->returns, path_.guard_since(current_->region), slots_kept(*current_), std::move(value));
   ++path_.losses.returns;
   return false;
 }
 
-bool Evaluator::jump(const Stmt& node) {
+bool Walk::jump(const Stmt& node) {
   if (node.kind == StmtKind::kBreak) {
     add_exit(loop_->breaks, path_.guard_since(loop_->region), loop_->assigned, {});
     ++path_.losses.breaks;
@@ -112,10 +106,52 @@ bool Evaluator::jump(const Stmt& node) {
   return false;
 }
 
-void Evaluator::param(const ParamStmt& node) {
+void Walk::param(const ParamStmt& node) {
   const Value usual = expression(*node.value);
   const auto set = params_.find(node.name);
-  current_->frame->slots[node.slot] = set == params_.end() ? usual : set->second;
+  slot(node.slot) = set == params_.end() ? usual : set->second;
+}
+
+// ---- what an assignment changes
+
+void Walk::assign(const Expr& target, Value value) {
+  if (target.kind == ExprKind::kName) {
+    slot(static_cast<const NameExpr&>(target).binding.slot) = std::move(value);
+    return;
+  }
+  change(target, [&](Value& place) { place = value; });
+}
+
+/// Evaluates the target's indices, once, and changes what it stands for.
+void Walk::change(const Expr& target, const Change& change) {
+  std::vector<Value> indices;  // evaluated before anything changes, innermost last
+  for (const Expr* at = &target; at->kind != ExprKind::kName;) {
+    if (at->kind == ExprKind::kIndex) {
+      const auto& index = static_cast<const IndexExpr&>(*at);
+      indices.insert(indices.begin(), expression(*index.index));
+      at = index.object.get();
+    } else {
+      at = static_cast<const FieldExpr&>(*at).object.get();
+    }
+  }
+  update(target, indices, change);
+}
+
+/// Changes what the target stands for in place: the variable's value is only copied where others share it.
+void Walk::update(const Expr& target, std::span<const Value> indices, const Change& change) {
+  if (target.kind == ExprKind::kName) {
+    const auto& name = static_cast<const NameExpr&>(target);
+    Value& variable = slot(name.binding.slot);
+    if (variable.is<Value::Unset>() || variable.as_union() != nullptr)
+      variable = read(frame(), name.binding.slot, name);
+    return change(variable);
+  }
+  if (target.kind == ExprKind::kIndex) {
+    return update(*static_cast<const IndexExpr&>(target).object, indices.first(indices.size() - 1),
+                  [&](Value& object) { update_element(object, indices.back(), target.span, change); });
+  }
+  const auto& access = static_cast<const FieldExpr&>(target);
+  update(*access.object, indices, [&](Value& object) { update_field(object, access, change); });
 }
 
 }  // namespace solitaire

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "solitaire/builtins/placing.h"
-#include "solitaire/run/evaluation.h"
+#include "solitaire/value/merge.h"
 
 namespace solitaire {
 namespace {
@@ -32,51 +32,39 @@ std::optional<Value> scalar_under(Assignment& assignment, Symbol symbol) {
   return Value(scalar->f);
 }
 
-/// Reads placements of one pass. It stands in for the evaluator that met them.
-class SceneReader {
- public:
-  SceneReader(const Program& program, AddressTable& addresses, Assignment& assignment)
-      : assignment_(assignment),
-        evaluator_(program, params_, choices_, nullptr, graph_, addresses, nullptr, limits_) {}
-
-  std::optional<Placement> read(const SymbolicPlacement& symbolic) {
-    std::vector<Value> arguments;
-    if (!values_under(assignment_, symbolic.arguments, arguments)) return std::nullopt;
-    std::vector<std::pair<std::string_view, Value>> extras;
-    for (const auto& [name, value] : symbolic.extras) {
-      std::optional<Value> known = value_under(assignment_, value);
-      if (!known) return std::nullopt;
-      extras.emplace_back(name, std::move(*known));
-    }
-    Placement made = read_placement(evaluator_, {arguments, *symbolic.site, extras});
-    made.address = symbolic.placement.address;
-    made.calls = symbolic.placement.calls;
-    made.source = symbolic.placement.source;
-    return made;
+std::optional<Placement> read(const SymbolicPlacement& symbolic, Assignment& assignment) {
+  std::vector<Value> arguments;
+  if (!values_under(assignment, symbolic.arguments, arguments)) return std::nullopt;
+  std::vector<std::pair<std::string_view, Value>> extras;
+  for (const auto& [name, value] : symbolic.extras) {
+    std::optional<Value> known = value_under(assignment, value);
+    if (!known) return std::nullopt;
+    extras.emplace_back(name, std::move(*known));
   }
+  Placement made = read_placement({arguments, *symbolic.site, extras});
+  made.id = symbolic.placement.id;
+  made.span = symbolic.placement.span;
+  made.call = symbolic.placement.call;
+  return made;
+}
 
- private:
-  Assignment& assignment_;
-  ParamValues params_;
-  OpenChoices choices_;
-  Graph graph_;
-  Limits limits_;
-  Evaluator evaluator_;
-};
-
-bool read_scene(const Program& program, const SymbolicPass& pass, AddressTable& addresses,
-                Assignment& assignment, Execution& execution) {
-  SceneReader reader(program, addresses, assignment);
+bool read_scene(const SymbolicPass& pass, Assignment& assignment, Execution& execution) {
   for (const TracePlaced& placed : pass.trace.placed) {
     if (!assignment.holds(placed.guard)) continue;
-    std::optional<Placement> made = reader.read(pass.placements[placed.number]);
+    std::optional<Placement> made = read(pass.placements[placed.number], assignment);
     if (!made) return false;
     execution.placements.push_back(std::move(*made));
   }
+  execution.calls = pass.calls;
   return true;
 }
 
-/// Whether the execution comes to its end on the paths of the trace.
+Type type_of(const Value& scalar) {
+  if (scalar.has_type(Type::kBool)) return Type::kBool;
+  return scalar.has_type(Type::kInt) ? Type::kInt : Type::kFloat;
+}
+
+/// Returns true if the execution comes to its end on the paths of the trace.
 bool is_covered(const Trace& trace, Assignment& assignment) {
   const auto none = [&](const auto& effects) {
     return std::none_of(effects.begin(), effects.end(),
@@ -92,6 +80,7 @@ bool is_covered(const Trace& trace, Assignment& assignment) {
 
 std::optional<Value> value_under(Assignment& assignment, const Value& value) {
   if (const auto* symbol = value.get<Symbol>()) return scalar_under(assignment, *symbol);
+  if (value.traced()) return scalar_under(assignment, {value.node(), type_of(value)});
   if (const List* list = value.as_list()) {
     std::vector<Value> items;
     if (!values_under(assignment, list->items, items)) return std::nullopt;
@@ -127,12 +116,13 @@ std::optional<Execution> read_execution(const Program& program, const SymbolicPa
     if (!assignment.holds(wish.guard)) continue;
     const std::optional<Scalar> cost = assignment.value(wish.cost);
     if (!cost) return std::nullopt;
-    execution.wishes.push_back({cost->i, wish.span, addresses.text(wish.address)});
+    execution.wishes.push_back({cost->i, wish.span, "", wish.address});
     execution.cost += cost->i;
   }
   std::optional<Value> value = value_under(assignment, pass.value);
-  if (!value || (scene && !read_scene(program, pass, addresses, assignment, execution))) return std::nullopt;
+  if (!value || (scene && !read_scene(pass, assignment, execution))) return std::nullopt;
   execution.value = std::move(*value);
+  add_texts(execution, program, addresses);
   return execution;
 }
 

@@ -1,9 +1,7 @@
 #include "solitaire/value/merge.h"
 
 namespace solitaire {
-namespace {
 
-/// Assumes: neither is a union, and `a` and `b` are not the same.
 bool same_shape(const Value& a, const Value& b) {
   for (const Type type : {Type::kBool, Type::kInt, Type::kFloat}) {
     if (a.has_type(type)) return b.has_type(type);
@@ -13,6 +11,8 @@ bool same_shape(const Value& a, const Value& b) {
   if (const Record* record = a.object<Record>()) return record->type == b.object<Record>()->type;
   return same(a, b);  // strings, functions: what is not the same differs in shape
 }
+
+namespace {
 
 std::vector<Value> merge_members(Graph& graph, NodeId condition, const std::vector<Value>& a,
                                  const std::vector<Value>& b) {
@@ -79,6 +79,7 @@ Value merge(Graph& graph, NodeId condition, const Value& a, const Value& b) {
 
 NodeId node_of(Graph& graph, const Value& value) {
   if (const Symbol* symbol = value.get<Symbol>()) return symbol->node;
+  if (value.traced()) return value.node();
   if (const bool* b = value.get<bool>()) return graph.constant(*b);
   if (const std::int64_t* i = value.get<std::int64_t>()) return graph.constant(*i);
   return graph.constant(*value.get<double>());

@@ -3,7 +3,7 @@
 
 namespace solitaire {
 
-/// What a variable holds where two paths join: `a` if the condition holds, else `b`.
+/// Returns what a variable holds where two paths join: `a` if the condition holds, else `b`.
 ///
 /// Merging goes by shape. Values that are the same stay as they are; bools, ints and floats of one type
 /// become a phi node; lists of equal length and records of one kind merge member by member; whatever differs
@@ -11,6 +11,10 @@ namespace solitaire {
 /// dissertation's Phi of abstract frame values, section 4.3.2.) So n optional list elements give n + 1
 /// alternatives, and not 2^n.
 Value merge(Graph& graph, NodeId condition, const Value& a, const Value& b);
+
+/// Returns true if merging the two makes no union. Assumes that neither is a union and that they are not the
+/// same.
+bool same_shape(const Value& a, const Value& b);
 
 /// The node of a bool, int or float, constant or not.
 NodeId node_of(Graph& graph, const Value& value);

@@ -6,8 +6,8 @@ namespace solitaire {
 
 class Value;
 
-/// What a Ref or a Value can hold: counts its own references. Values belong to one evaluation and so to one
-/// thread, which is why the count is a plain one.
+/// Base of all objects that a Ref or a Value can hold: counts its own references. Values belong to one
+/// evaluation and so to one thread, which is why the count is a plain one.
 class Counted {
  public:
   Counted() = default;
@@ -43,6 +43,8 @@ class Ref {
   T& operator*() const { return *object_; }
   T* operator->() const { return object_; }
   T* get() const { return object_; }
+  /// Returns true if no other Ref or Value has the object.
+  bool unique() const { return object_ != nullptr && object_->references_ == 1; }
   /// Gives its reference up to the caller, who has to count it off.
   T* release() { return std::exchange(object_, nullptr); }
   explicit operator bool() const { return object_ != nullptr; }

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// Whether a JSON string of the text is the text between quotes.
+/// Returns true if the text needs nothing but quotes around it to be a JSON string.
 bool is_plain(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
 }
@@ -145,7 +145,7 @@ Value Value::string(std::string text) { return make_ref<String>(std::move(text))
 Value Value::list(std::vector<Value> items) { return make_ref<List>(std::move(items)); }
 
 bool Value::identical(const Value& other) const {
-  if (kind_ != other.kind_) return false;
+  if (kind_ != other.kind_ || node_ != other.node_) return false;
   switch (kind_) {
     case Kind::kUnset:
     case Kind::kNil:
@@ -167,6 +167,7 @@ bool Value::identical(const Value& other) const {
 
 void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
   if (const Symbol* symbol = value.get<Symbol>()) nodes.push_back(symbol->node);
+  if (value.traced()) nodes.push_back(value.node());
   if (const List* list = value.as_list()) {
     for (const Value& item : list->items) collect_nodes(item, nodes);
   }

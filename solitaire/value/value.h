@@ -30,10 +30,13 @@ struct Frame;
 
 /// A value of the language. Lists and records are values too: a change copies what others share.
 ///
-/// A kind and a word or two, and not a std::variant, since what programs do most is to copy values.
+/// A bool, int or float is a constant (an execution), a node of the trace graph (a Symbol: a symbolic pass),
+/// or both: where an execution is traced, a constant that comes from choices carries the node that says how.
+///
+/// It is a kind and a word or two, and not a std::variant, since what programs do most is to copy values.
 class Value {
  public:
-  /// What a variable is before it is assigned.
+  /// The value of a variable before it is assigned.
   struct Unset {};
   struct Nil {};
   using BuiltinRef = const Builtin*;
@@ -65,12 +68,16 @@ class Value {
   Value(Ref<T> object) : kind_(kind_of(static_cast<const T*>(nullptr))) {
     is_.object = object.release();
   }
-  Value(const Value& other) noexcept : kind_(other.kind_), is_(other.is_) {
+  Value(const Value& other) noexcept : kind_(other.kind_), node_(other.node_), is_(other.is_) {
     if (counted()) ++is_.object->references_;
   }
-  Value(Value&& other) noexcept : kind_(std::exchange(other.kind_, Kind::kUnset)), is_(other.is_) {}
+  Value(Value&& other) noexcept
+      : kind_(std::exchange(other.kind_, Kind::kUnset)),
+        node_(std::exchange(other.node_, {})),
+        is_(other.is_) {}
   Value& operator=(Value other) noexcept {
     std::swap(kind_, other.kind_);
+    std::swap(node_, other.node_);
     std::swap(is_, other.is_);
     return *this;
   }
@@ -97,7 +104,7 @@ class Value {
   const T* object() const {
     return is<T>() ? static_cast<const T*>(is_.object) : nullptr;
   }
-  /// The same as a reference, which may be empty.
+  /// Returns a reference to that object, which is empty where object() is null.
   template <class T>
   Ref<T> share() const {
     return Ref<T>(const_cast<T*>(object<T>()));
@@ -105,17 +112,33 @@ class Value {
   /// The object of a value that is a T, to be changed: a copy that is its own if others have it too.
   template <class T>
   T& own();
-  /// Whether no other has the object of a value of a counted kind.
+  /// Returns true if no other Value or Ref has the object. Only for values of a counted kind.
   bool unique() const { return is_.object->references_ == 1; }
+
+  /// Returns true for a constant bool, int or float that carries a node.
+  bool traced() const { return node_ != NodeId{}; }
+  /// The node that a traced constant carries.
+  NodeId node() const { return node_; }
+  /// Returns the same constant with a node, which is left out where it is a constant itself.
+  Value with_node(const Graph& graph, NodeId node) const {
+    Value traced = *this;
+    if (!graph.node(node).is_constant()) traced.node_ = node;
+    return traced;
+  }
+  /// Returns the bool, int or float if it is a constant that carries no node, else null.
+  template <class T>
+  const T* plain() const {
+    return traced() ? nullptr : get<T>();
+  }
 
   const List* as_list() const;
   const Union* as_union() const;
   bool is_function() const { return is<Closure>() || is<RecordType>() || is<BuiltinRef>(); }
-  /// Whether a bool, int or float, constant or not, of that type.
+  /// Returns true for a bool, int or float of that type, constant or not.
   bool has_type(Type type) const;
   bool is_number() const { return has_type(Type::kInt) || has_type(Type::kFloat); }
 
-  /// The same object or equal constants; cheap, and false for some equal values.
+  /// Returns true for the same object or equal constants. Cheap, and false for some equal values.
   bool identical(const Value& other) const;
 
  private:
@@ -128,7 +151,7 @@ class Value {
     Counted* object;
   };
 
-  // Of the type that a null pointer is to.
+  // Map a C++ type to its Kind, or to the member that holds it, by overload; the arguments are never read.
   static constexpr Kind kind_of(const Unset*) { return Kind::kUnset; }
   static constexpr Kind kind_of(const Nil*) { return Kind::kNil; }
   static constexpr Kind kind_of(const bool*) { return Kind::kBool; }
@@ -151,6 +174,7 @@ class Value {
   bool counted() const { return kind_ >= Kind::kString; }
 
   Kind kind_ = Kind::kUnset;
+  NodeId node_;  // of a traced constant; else kFalse, which is the node of no choice
   Payload is_ = {};
 };
 
@@ -168,7 +192,7 @@ struct List : Counted {
   std::uint32_t nesting;  // how deep lists and records nest in it; 1 for a list of plain values
 };
 
-/// What a `record` statement declares: the constructor of its records.
+/// The constructor of records that a `record` statement declares.
 struct RecordType : Counted {
   RecordType(const RecordStmt* statement, std::uint32_t in_module)
       : declaration(statement), module(in_module) {}
@@ -182,6 +206,9 @@ struct Record : Counted {
   std::vector<Value> fields;
   std::uint32_t nesting;
 };
+
+/// Returns true if a builtin was called with that argument.
+inline bool given(const Value& argument) { return !argument.is<Value::Unset>(); }
 
 /// How deep lists and records nest in a value; 0 for plain values. Kept below a bound by the evaluator, so
 /// that walking a value cannot exhaust the stack.
@@ -237,11 +264,11 @@ T& Value::own() {
   return *static_cast<T*>(is_.object);
 }
 
-/// Whether the two are the same value for every execution: equal nodes, constants and members. Decided
-/// without a solver, so false only means that it is not obvious.
+/// Returns true if the two are the same value for every execution: equal nodes, constants and members.
+/// Decided without a solver, so false only means that it is not obvious.
 bool same(const Value& a, const Value& b);
 
-/// Whether no part of the value depends on choices that are left open.
+/// Returns true if no part of the value depends on choices that are left open.
 bool is_known(const Value& value);
 
 /// "an int", "a list", "nothing (nil)": how messages call the value.
@@ -249,7 +276,7 @@ std::string describe(const Value& value);
 
 /// The value as the language writes it. What depends on choices shows as '?'.
 std::string to_text(const Value& value);
-/// The same, with nodes called by their names; a union shows as "(a if x1 | b if x2)".
+/// Returns that text with nodes called by their names; a union shows as "(a if x1 | b if x2)".
 using NodeName = std::function<std::string(NodeId)>;
 std::string to_text(const Value& value, const NodeName& name);
 /// The nodes in a value, guards of unions included.

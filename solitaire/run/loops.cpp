@@ -2,7 +2,7 @@
 // turns are run as long as there can be a further element, each of which only some executions may have.
 #include <fmt/format.h>
 
-#include "solitaire/run/evaluation.h"
+#include "solitaire/run/walk.h"
 
 namespace solitaire {
 namespace {
@@ -13,46 +13,49 @@ constexpr std::int64_t kLongestChosenRange = 4096;
 }  // namespace
 
 /// What a loop runs over.
-class Evaluator::Iteration {
+class Walk::Iteration {
  public:
   /// Evaluates the list; a..b is not made into one.
-  Iteration(Evaluator& evaluator, const Expr& list) : evaluator_(evaluator), span_(list.span) {
+  Iteration(Walk& walk, const Expr& list) : walk_(walk), span_(list.span) {
     if (list.kind == ExprKind::kBinary && static_cast<const BinaryExpr&>(list).op == BinaryOp::kUpTo) {
       const auto& range = static_cast<const BinaryExpr&>(list);
-      first_ = evaluator.expression(*range.left);
-      last_ = evaluator.expression(*range.right);
+      first_ = walk.expression(*range.left);
+      last_ = walk.expression(*range.right);
       is_range_ = first_.has_type(Type::kInt) && last_.has_type(Type::kInt);
-      if (!is_range_) value_ = evaluator.up_to(first_, last_, span_);
+      is_plain_ = first_.plain<std::int64_t>() != nullptr && last_.plain<std::int64_t>() != nullptr;
+      if (!is_range_) value_ = walk.up_to(first_, last_, span_);
     } else {
-      value_ = evaluator.expression(list);
+      value_ = walk.expression(list);
     }
     if (!is_range_) keep_lists();
   }
 
-  /// Whether there is an element of that number.
-  NodeId has(std::size_t number) {
+  /// A bool: true where there is an element of that number.
+  Value has(std::size_t number) {
+    if (is_plain_)
+      return static_cast<std::int64_t>(number) <= *last_.get<std::int64_t>() - *first_.get<std::int64_t>();
     if (is_range_) return within(number);
-    if (several_ == nullptr) return number < list()->items.size() ? kTrue : kFalse;
+    if (several_ == nullptr) return number < list()->items.size();
     NodeId longer = kFalse;
     NodeId shorter = kFalse;
     for (const auto& [guard, value] : several_->alternatives) {
       NodeId& side = number < value.as_list()->items.size() ? longer : shorter;
-      side = evaluator_.graph().disjunction(side, guard);
+      side = walk_.graph().disjunction(side, guard);
     }
-    if (shorter == kFalse) return kTrue;
-    return longer;
+    if (shorter == kFalse) return true;
+    return value_of(walk_.graph(), longer);
   }
 
   Value element(std::size_t number) {
-    if (is_range_)
-      return evaluator_.arithmetic(BinaryOp::kAdd, first_, static_cast<std::int64_t>(number), span_);
+    if (is_plain_) return *first_.get<std::int64_t>() + static_cast<std::int64_t>(number);
+    if (is_range_) return walk_.arithmetic(BinaryOp::kAdd, first_, static_cast<std::int64_t>(number), span_);
     if (several_ == nullptr) return list()->items[number];
     Value element;
     bool found = false;
     for (const auto& [guard, value] : several_->alternatives) {
       const auto& items = value.as_list()->items;
       if (number >= items.size()) continue;
-      element = found ? merge(evaluator_.graph(), guard, items[number], element) : items[number];
+      element = found ? merge(walk_.graph(), guard, items[number], element) : items[number];
       found = true;
     }
     return element;
@@ -61,17 +64,15 @@ class Evaluator::Iteration {
  private:
   const List* list() const { return value_.as_list(); }
 
-  NodeId within(std::size_t number) {
-    const Value element =
-        evaluator_.arithmetic(BinaryOp::kAdd, first_, static_cast<std::int64_t>(number), span_);
-    return evaluator_.condition(evaluator_.compare(BinaryOp::kLessEqual, element, last_, span_), span_);
+  Value within(std::size_t number) {
+    return walk_.compare(BinaryOp::kLessEqual, element(number), last_, span_);
   }
 
   /// Ends the paths on which the value is no list.
   void keep_lists() {
-    value_ = evaluator_.each_shape(value_, [&](const Value& one) {
+    value_ = walk_.each_shape(value_, [&](const Value& one) {
       if (one.as_list() == nullptr) {
-        evaluator_.program_error(
+        walk_.program_error(
             span_, fmt::format("{} cannot be looped over", describe(one)),
             one.has_type(Type::kInt) ? "loop over a range of ints: 0..n - 1" : "only lists can");
       }
@@ -80,14 +81,15 @@ class Evaluator::Iteration {
     several_ = value_.as_union();
   }
 
-  Evaluator& evaluator_;
+  Walk& walk_;
   Span span_;
   bool is_range_ = false;
+  bool is_plain_ = false;  // both ends are constants
   Value first_, last_, value_;
   const Union* several_ = nullptr;
 };
 
-Value Evaluator::up_to(const Value& first, const Value& last, Span span) {
+Value Walk::up_to(const Value& first, const Value& last, Span span) {
   if (first.as_union() != nullptr || last.as_union() != nullptr) {
     return each_shape(first, [&](const Value& a) {
       return each_shape(last, [&](const Value& b) { return up_to(a, b, span); });
@@ -97,19 +99,28 @@ Value Evaluator::up_to(const Value& first, const Value& last, Span span) {
     program_error(span,
                   fmt::format("'..' needs two ints, here are {} and {}", describe(first), describe(last)));
   }
-  if (first.is<std::int64_t>() && last.is<std::int64_t>()) {
-    std::vector<Value> items;
-    const std::int64_t end = *last.get<std::int64_t>();
-    if (end >= *first.get<std::int64_t>())
-      step(span, static_cast<std::uint64_t>(end - *first.get<std::int64_t>()));
-    for (std::int64_t i = *first.get<std::int64_t>(); i <= end; ++i) items.emplace_back(i);
-    return make_list(std::move(items), span);
+  if (first.is<Symbol>() || last.is<Symbol>()) return chosen_range(first, last, span);
+  const std::int64_t begin = *first.get<std::int64_t>();
+  const std::int64_t end = *last.get<std::int64_t>();
+  if (end >= begin) step(span, static_cast<std::uint64_t>(end - begin));
+  if (first.traced() || last.traced()) {
+    const Value length = int_operation(Op::kSub, last, first, span);
+    follow(int_operation(Op::kEqInt, length, end - begin, span), span);
   }
-  const NodeId begin = node_of(graph_, first);
-  const NodeId length =
-      apply(Op::kAdd,
-            {apply(Op::kSub, {node_of(graph_, last), begin}, span), graph_.constant(std::int64_t{1})}, span);
-  const Interval lengths = graph_.node(length).interval;
+  std::vector<Value> items;
+  if (end >= begin) items.reserve(static_cast<std::size_t>(end - begin) + 1);
+  for (std::int64_t i = begin; i <= end; ++i)
+    items.push_back(int_operation(Op::kAdd, first, i - begin, span));
+  return make_list(std::move(items), span);
+}
+
+/// a..b where its length depends on choices: a list of each length that it can have.
+Value Walk::chosen_range(const Value& first, const Value& last, Span span) {
+  const NodeId begin = node_of(*graph_, first);
+  const NodeId length = apply(
+      Op::kAdd, {apply(Op::kSub, {node_of(*graph_, last), begin}, span), graph_->constant(std::int64_t{1})},
+      span);
+  const Interval lengths = graph_->node(length).interval;
   const std::int64_t longest = std::max<std::int64_t>(lengths.hi, 0);
   const std::int64_t shortest = std::max<std::int64_t>(lengths.lo, 0);
   if (longest > kLongestChosenRange) {
@@ -123,22 +134,23 @@ Value Evaluator::up_to(const Value& first, const Value& last, Span span) {
   result = make_list(items, span);
   for (std::int64_t count = longest - 1; count >= shortest; --count) {
     items.pop_back();
-    result = merge(graph_, graph_.apply(Op::kLeInt, {length, graph_.constant(count)}), make_list(items, span),
-                   result);
+    result = merge(*graph_, graph_->apply(Op::kLeInt, {length, graph_->constant(count)}),
+                   make_list(items, span), result);
   }
   return result;
 }
 
-/// Goes into a further turn, if `more` can hold; where it can fail, the path that leaves is added to `ends`.
-bool Evaluator::enter_turn(NodeId more, const Site& site, Span span, Exits& ends,
-                           std::span<const Slot> assigned, Value value, std::size_t region) {
-  more = settle(more);
-  if (more == kTrue || more == kFalse) {
-    note_taken(site, more == kTrue);
-    if (more == kFalse) add_exit(ends, path_.guard_since(region), assigned, std::move(value));
-    return more == kTrue;
+/// Goes into a further turn, if `more` can hold; where it can fail, the path that leaves is added to `ends`,
+/// with the value.
+bool Walk::enter_turn(const Value& given, const Site& site, Span span, Exits& ends,
+                      std::span<const Slot> assigned, const Value& value, std::size_t region) {
+  const Value more = settle(given);
+  if (more.is<bool>()) {
+    const bool goes_on = follow(more, span);
+    note_taken(site, goes_on);
+    if (!goes_on) add_exit(ends, path_.guard_since(region), assigned, value);
+    return goes_on;
   }
-  check_condition(more, span);
   Value unused;
   bool stays = false;
   NodeId inside = kFalse;
@@ -152,18 +164,18 @@ bool Evaluator::enter_turn(NodeId more, const Site& site, Span span, Exits& ends
         return true;
       },
       [&](Value&) {
-        add_exit(ends, path_.guard_since(region), assigned, std::move(value));
+        add_exit(ends, path_.guard_since(region), assigned, value);
         return false;
       });
   if (!stays) return false;
   path_.set_local(inside);
-  path_.facts.assume(more, true);
+  path_.facts.assume(node_of(*graph_, more), true);
   path_.levels = levels;  // later turns lie below this one
   return true;
 }
 
 /// Runs a loop's body once; false if no path comes to the next turn.
-bool Evaluator::turn(const Stmt& body, Loop& loop) {
+bool Walk::turn(const Stmt& body, Loop& loop) {
   const Checkpoint outside = checkpoint();
   const auto losses = path_.losses;
   loop.continues = {};
@@ -177,8 +189,13 @@ bool Evaluator::turn(const Stmt& body, Loop& loop) {
     unwind(start);
   }
   Exits& ends = loop.continues;
-  if (goes_on) add_exit(ends, path_.local(), loop.assigned, {});
-  if (ends.any) resume(ends, loop.assigned);
+  if (goes_on && !ends.any) {  // the variables are as they should be
+    ends.any = true;
+    ends.guard = path_.local();
+  } else {
+    if (goes_on) add_exit(ends, path_.local(), loop.assigned, {});
+    if (ends.any) resume(ends, loop.assigned);
+  }
   unwind(outside);
   path_.losses.continues = losses.continues;
   if (!ends.any) return false;
@@ -207,7 +224,7 @@ class Restored {
 /// Runs turns until no path goes on, then joins all ways out of the loop. `enter` evaluates what decides
 /// about a further turn and calls enter_turn.
 template <class Enter>
-bool Evaluator::run_loop(const Stmt& body, std::span<const Slot> assigned, Enter enter) {
+bool Walk::run_loop(const Stmt& body, std::span<const Slot> assigned, Enter enter) {
   Loop loop;
   loop.assigned = assigned;
   const Checkpoint outside = checkpoint();
@@ -217,18 +234,15 @@ bool Evaluator::run_loop(const Stmt& body, std::span<const Slot> assigned, Enter
   path_.enter_region();
   loop.region = path_.region();
   const Checkpoint start = checkpoint();
-  current_->turns.push_back(0);
-  const std::size_t turns = current_->turns.size();
+  turns_.push_back(0);
   try {
-    while (enter(loop, current_->turns.back()) && turn(body, loop)) {
-      ++current_->turns.back();
+    while (enter(loop, turns_.back()) && turn(body, loop)) {
+      ++turns_.back();
       step(body.span);
     }
   } catch (const PathEnd&) {
-    unwind(start);
-    current_->turns.resize(turns);
   }
-  current_->turns.pop_back();
+  unwind(start);
   if (loop.breaks.any) resume(loop.breaks, assigned);
   unwind(outside);
   path_.losses.breaks = losses.breaks;
@@ -237,7 +251,7 @@ bool Evaluator::run_loop(const Stmt& body, std::span<const Slot> assigned, Enter
   return true;
 }
 
-bool Evaluator::for_statement(const ForStmt& node) {
+bool Walk::for_statement(const ForStmt& node) {
   Iteration items(*this, *node.list);
   return run_loop(*node.body, node.assigned, [&](Loop& loop, std::uint32_t number) {
     if (!enter_turn(items.has(number), node.site, node.list->span, loop.breaks, node.assigned, {},
@@ -248,46 +262,32 @@ bool Evaluator::for_statement(const ForStmt& node) {
   });
 }
 
-bool Evaluator::while_statement(const WhileStmt& node) {
+bool Walk::while_statement(const WhileStmt& node) {
   return run_loop(*node.body, node.assigned, [&](Loop& loop, std::uint32_t) {
-    const NodeId more = condition(expression(*node.condition), node.condition->span);
-    return enter_turn(more, node.site, node.condition->span, loop.breaks, node.assigned, {}, loop.region);
+    return enter_turn(tested(*node.condition), node.site, node.condition->span, loop.breaks, node.assigned,
+                      {}, loop.region);
   });
 }
 
-void Evaluator::set_variables(const std::vector<LoopVariable>& variables, const Value& value, Span span) {
+void Walk::set_variables(const std::vector<LoopVariable>& variables, const Value& value, Span span) {
   if (variables.size() == 1) {
-    current_->frame->slots[variables.front().slot] = value;
+    slot(variables.front().slot) = value;
     return;
   }
   take_apart(value, variables.size(), span,
-             [&](std::size_t i, Value part) { current_->frame->slots[variables[i].slot] = std::move(part); });
+             [&](std::size_t i, Value part) { slot(variables[i].slot) = std::move(part); });
 }
 
 // ---- comprehensions: loops that collect
 
-Value Evaluator::comprehension(const ComprehensionExpr& node) {
+Value Walk::comprehension(const ComprehensionExpr& node) {
   Value collected = make_list({}, node.span);
   clause(node, 0, collected);
   return collected;
 }
 
-void Evaluator::append(Value& collected, const Value& element, Span span) {
-  if (collected.is<List>() && collected.unique()) {
-    List& list = collected.own<List>();
-    list.items.push_back(element);
-    list.nesting = std::max(list.nesting, 1 + nesting(element));
-    return check_nesting(collected, span);
-  }
-  collected = each_shape(collected, [&](const Value& list) {
-    std::vector<Value> items = list.as_list()->items;
-    items.push_back(element);
-    return make_list(std::move(items), span);
-  });
-}
-
 /// Runs the clause of that number over its list, adding to what the clauses around it collected.
-void Evaluator::clause(const ComprehensionExpr& node, std::size_t number, Value& collected) {
+void Walk::clause(const ComprehensionExpr& node, std::size_t number, Value& collected) {
   if (number == node.clauses.size()) {
     const Value element = expression(*node.element);
     return append(collected, element, node.span);
@@ -301,21 +301,18 @@ void Evaluator::clause(const ComprehensionExpr& node, std::size_t number, Value&
   const std::size_t region = path_.region();
   const Checkpoint start = checkpoint();
   Exits ends;
-  current_->turns.push_back(0);
-  const std::size_t turns = current_->turns.size();
+  turns_.push_back(0);
   try {
-    while (enter_turn(items.has(current_->turns.back()), loop.site, loop.list->span, ends, node.assigned,
-                      collected, region)) {
+    while (enter_turn(items.has(turns_.back()), loop.site, loop.list->span, ends, node.assigned, collected,
+                      region)) {
       step(node.span);
-      set_variables(loop.variables, items.element(current_->turns.back()), loop.list->span);
+      set_variables(loop.variables, items.element(turns_.back()), loop.list->span);
       conditions(node, number, 0, collected);
-      ++current_->turns.back();
+      ++turns_.back();
     }
   } catch (const PathEnd&) {
-    unwind(start);
-    current_->turns.resize(turns);
   }
-  current_->turns.pop_back();
+  unwind(start);
   if (ends.any) resume(ends, node.assigned);
   unwind(outside);
   path_.losses.breaks = losses.breaks;
@@ -325,15 +322,16 @@ void Evaluator::clause(const ComprehensionExpr& node, std::size_t number, Value&
 }
 
 /// Goes on to the next clause where the conditions from that number on hold.
-void Evaluator::conditions(const ComprehensionExpr& node, std::size_t clause_number, std::size_t number,
-                           Value& collected) {
+void Walk::conditions(const ComprehensionExpr& node, std::size_t clause_number, std::size_t number,
+                      Value& collected) {
   const ComprehensionClause& loop = node.clauses[clause_number];
   if (number == loop.conditions.size()) return clause(node, clause_number + 1, collected);
   const Expr& test = *loop.conditions[number];
-  const NodeId holds = condition(expression(test), test.span);
-  if (holds == kTrue || holds == kFalse) {  // in place, without a copy of the list
-    note_taken(loop.condition_sites[number], holds == kTrue);
-    if (holds == kTrue) conditions(node, clause_number, number + 1, collected);
+  const Value holds = tested(test);
+  if (holds.is<bool>()) {  // in place, without a copy of the list
+    const bool goes_on = follow(holds, test.span);
+    note_taken(loop.condition_sites[number], goes_on);
+    if (goes_on) conditions(node, clause_number, number + 1, collected);
     return;
   }
   collected = choose_side(

@@ -1,0 +1,210 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "solitaire/run/effects.h"
+#include "solitaire/run/evaluator.h"
+#include "solitaire/run/machine.h"
+#include "solitaire/run/path.h"
+#include "solitaire/value/merge.h"
+
+namespace solitaire {
+
+/// A loop that runs; breaks and continues lead to it.
+struct Loop {
+  std::span<const Slot> assigned;
+  std::size_t turn_region = 0;
+  std::size_t region = 0;
+  Exits breaks;     // and where its condition ended it
+  Exits continues;  // of the current turn
+};
+
+/// The layer of an evaluation that knows where it goes: paths, branches, and how paths end and join.
+///
+/// A condition that is known leads one way, and then nothing here costs more than in a plain interpreter. One
+/// that is not leads both ways: each side runs on a state of its own, and what they leave behind is merged.
+class Control : public Machine {
+ public:
+  Graph& graph() { return *graph_; }
+  Effects& effects() { return *effects_; }
+  /// Counts work, and ends the path or the evaluation at a limit.
+  void step(Span span, std::uint64_t count = 1) {
+    total_steps_ += count;
+    path_.steps += count;
+    if (total_steps_ >= next_check_ || path_.steps > limits_.max_steps || forks_) check_steps(span, count);
+  }
+  /// The path ends here without a reason of its own: everything below it ended.
+  [[noreturn]] void end_path();
+  /// The program is wrong on this path.
+  [[noreturn]] void program_error(Span span, const std::string& message, const std::string& help = "");
+  /// The program may be right here, but a symbolic pass cannot go on.
+  [[noreturn]] void unsupported(Span span, const std::string& message, const std::string& help = "");
+  /// Returns true if only some executions come here.
+  bool guarded() const { return path_.guarded(); }
+  /// graph().apply, with what it throws turned into errors of the program.
+  NodeId apply(Op op, std::initializer_list<NodeId> operands, Span span);
+  /// The execution goes where the condition, which is known, leads; notes it if the condition is traced.
+  bool follow(const Value& condition, Span span) {
+    if (condition.traced()) effects_->followed(condition, span);
+    return *condition.get<bool>();
+  }
+
+  /// Runs one part for each guard, on forked states, and merges what they leave behind. The guards exclude
+  /// each other and one of them holds. A part returns whether its path goes on, and may leave a value.
+  /// Returns whether any path goes on.
+  template <class Part>
+  bool split(std::span<const NodeId> guards, std::span<const Slot> assigned, Value& value, Part part);
+  /// A branch at a site: both sides if they are open. `value` as for split.
+  template <class Then, class Else>
+  bool branch(const Value& condition, const Site& site, Span span, std::span<const Slot> assigned,
+              Value& value, Then then_part, Else else_part);
+  /// branch() for expressions: each side gives a value.
+  template <class Then, class Else>
+  Value choose_side(const Value& condition, const Site& site, Span span, std::span<const Slot> assigned,
+                    Then then_value, Else else_value);
+  /// f of a value that is no union: of each alternative, merged.
+  template <class Function>
+  Value each_shape(const Value& value, Function f) {
+    if (value.as_union() == nullptr) return f(value);
+    return each_alternative(value, f);
+  }
+
+ protected:
+  Control(const Program& program, const ParamValues& params, AddressTable& addresses, const Limits& limits,
+          Graph* graph, Branches* branches);
+
+  /// Forgets the last execution.
+  void reset(Effects& effects, std::uint32_t levels);
+  /// What a PathEnd that is caught has to go back to.
+  struct Checkpoint {
+    std::size_t region;
+    Activation* activation;
+    Loop* loop;
+    std::uint32_t depth;
+    std::size_t facts;
+    std::size_t turns;
+  };
+  Checkpoint checkpoint() const;
+  void unwind(const Checkpoint& checkpoint);
+  void check_stack(Span span);
+  /// Ends the path if the condition depends on floats and nobody can tell when it holds.
+  void check_condition(NodeId condition, Span span);
+  /// The condition, or true or false if the path settles it.
+  Value settle(const Value& condition) const;
+  void add_exit(Exits& exits, NodeId guard, std::span<const Slot> slots, Value value);
+  void resume(Exits& exits, std::span<const Slot> slots);
+  /// Tells the observer of a side that an execution takes.
+  void note_taken(const Site& site, bool condition) {
+    if (branches_ != nullptr && !forks_ && site.label != kNoLabel) report_taken(site, condition);
+  }
+
+  Limits limits_;
+  Graph* graph_;  // null where nothing is symbolic or traced
+  Branches* branches_;
+  Effects* effects_ = nullptr;
+  bool forks_ = false;  // whether there can be more than one path
+  Path path_;
+  Loop* loop_ = nullptr;
+  std::uint64_t total_steps_ = 0;
+
+ private:
+  struct State;  // of the variables and the path, where branches fork
+
+  State fork_state(std::span<const Slot> assigned);
+  void restore(const State& state, std::span<const Slot> assigned);
+  bool join(std::span<const NodeId> guards, std::vector<std::optional<State>>& ends, const State& before,
+            std::span<const Slot> assigned, Value& value);
+  void enter_side(const Site& site, BranchSide::Kind kind, Span span);
+  void report_taken(const Site& site, bool condition);
+  void check_steps(Span span, std::uint64_t count);
+  void cut(Span span);
+  template <class Function>
+  Value each_alternative(const Value& value, Function f);
+
+  std::uint64_t next_check_ = 0;       // of the stop signal, in steps
+  const char* stack_limit_ = nullptr;  // addresses below it are too close to the stack's end
+};
+
+/// The variables of the running function that a part of it assigns, and the path, at a point where branches
+/// fork.
+struct Control::State {
+  std::vector<Value> slots;
+  NodeId local;
+  std::uint32_t levels;
+  std::uint64_t steps, guarded_steps;
+  std::size_t facts;
+  Path::Losses losses;
+  Value value;
+};
+
+template <class Part>
+bool Control::split(std::span<const NodeId> guards, std::span<const Slot> assigned, Value& value, Part part) {
+  const State before = fork_state(assigned);
+  const Checkpoint start = checkpoint();
+  std::vector<std::optional<State>> ends(guards.size());
+  for (std::size_t i = 0; i < guards.size(); ++i) {
+    restore(before, assigned);
+    path_.narrow(guards[i]);
+    path_.facts.assume(guards[i], true);
+    Value made;
+    bool goes_on = false;
+    try {
+      goes_on = part(i, made);
+    } catch (const PathEnd&) {
+      unwind(start);
+    }
+    if (!goes_on) continue;
+    ends[i] = fork_state(assigned);
+    ends[i]->value = std::move(made);
+  }
+  return join(guards, ends, before, assigned, value);
+}
+
+template <class Then, class Else>
+bool Control::branch(const Value& condition, const Site& site, Span span, std::span<const Slot> assigned,
+                     Value& value, Then then_part, Else else_part) {
+  const Value settled = settle(condition);
+  if (settled.is<bool>()) {
+    const bool holds = follow(settled, span);
+    note_taken(site, holds);
+    return holds ? then_part(value) : else_part(value);
+  }
+  const NodeId node = node_of(*graph_, settled);
+  check_condition(node, span);
+  const std::array guards = {node, graph_->negation(node)};
+  return split(guards, assigned, value, [&](std::size_t side, Value& made) {
+    if (site.label != kNoLabel)
+      enter_side(site, side == 0 ? BranchSide::Kind::kThen : BranchSide::Kind::kElse, span);
+    return side == 0 ? then_part(made) : else_part(made);
+  });
+}
+
+template <class Then, class Else>
+Value Control::choose_side(const Value& condition, const Site& site, Span span,
+                           std::span<const Slot> assigned, Then then_value, Else else_value) {
+  Value value;
+  const bool goes_on = branch(
+      condition, site, span, assigned, value, [&](Value& made) { return made = then_value(), true; },
+      [&](Value& made) { return made = else_value(), true; });
+  if (!goes_on) end_path();
+  return value;
+}
+
+template <class Function>
+Value Control::each_alternative(const Value& value, Function f) {
+  const Value kept = value;  // the alternatives must outlive what f does to variables
+  const Union& several = *kept.as_union();
+  std::vector<NodeId> guards;
+  for (const auto& alternative : several.alternatives) guards.push_back(alternative.guard);
+  Value result;
+  const bool goes_on = split(guards, {}, result, [&](std::size_t i, Value& made) {
+    made = f(several.alternatives[i].value);
+    return true;
+  });
+  if (!goes_on) end_path();
+  return result;
+}
+
+}  // namespace solitaire

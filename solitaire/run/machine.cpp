@@ -1,0 +1,122 @@
+#include "solitaire/run/machine.h"
+
+#include <fmt/format.h>
+
+namespace solitaire {
+namespace {
+
+/// How many of the calls around an error its message names.
+constexpr std::size_t kShownCalls = 8;
+
+}  // namespace
+
+Machine::Machine(const Program& program, const ParamValues& params, AddressTable& addresses)
+    : program_(program),
+      params_(params),
+      addresses_(addresses),
+      module_frames_(program.modules.size()),
+      module_done_(program.modules.size()),
+      labels_(program.labels.size(), AddressTable::kNoLabel) {
+  root_.has_address = true;
+}
+
+Machine::~Machine() { clear_frames(); }
+
+void Machine::clear_frames() {
+  for (const Ref<Frame>& frame : captured_frames_) frame->slots.clear();
+  captured_frames_.clear();
+  for (const Ref<Frame>& frame : module_frames_) {
+    if (frame) frame->slots.clear();
+  }
+}
+
+void Machine::reset() {
+  clear_frames();
+  turns_.clear();
+  calls_.clear();
+  depth_ = 0;
+  frames_made_ = 0;
+  for (std::uint32_t module = 0; module < module_frames_.size(); ++module) {
+    module_frames_[module] = new_frame(program_.top(module), {});
+    module_done_[module] = false;
+  }
+  root_.frame = module_frames_[0];
+  current_ = &root_;
+}
+
+Ref<Frame> Machine::new_frame(const Function& function, const Ref<Frame>& outer) {
+  Ref<Frame> frame;
+  if (free_frames_.empty()) {
+    frame = make_ref<Frame>(std::vector<Value>(), outer, frames_made_++);
+  } else {
+    frame = std::move(free_frames_.back());
+    free_frames_.pop_back();
+    frame->outer = outer;
+    frame->serial = frames_made_++;
+  }
+  frame->slots.resize(function.slots.size());
+  if (function.captured) captured_frames_.push_back(frame);
+  return frame;
+}
+
+void Machine::recycle(Ref<Frame> frame) {
+  if (!frame.unique()) return;
+  frame->slots.clear();
+  frame->outer = {};
+  free_frames_.push_back(std::move(frame));
+}
+
+std::vector<Value> Machine::borrow_values() {
+  if (free_values_.empty()) return {};
+  std::vector<Value> values = std::move(free_values_.back());
+  free_values_.pop_back();
+  return values;
+}
+
+void Machine::give_back(std::vector<Value> values) {
+  values.clear();
+  free_values_.push_back(std::move(values));
+}
+
+AddressTable::LabelId Machine::label(const Site& site) {
+  AddressTable::LabelId& known = labels_[site.label];
+  if (known == AddressTable::kNoLabel) known = addresses_.label(program_.labels[site.label]);
+  return known;
+}
+
+AddressId Machine::activation_address(Activation& activation) {
+  if (!activation.has_address) {
+    const Activation& caller = *activation.caller;
+    const std::span<const std::uint32_t> all_turns = turns_;
+    activation.address =
+        with_turns(addresses_.site(activation_address(*activation.caller), label(activation.call->site)),
+                   all_turns.subspan(caller.first_turn, activation.first_turn - caller.first_turn));
+    activation.has_address = true;
+  }
+  return activation.address;
+}
+
+std::uint32_t Machine::call_record(Activation& activation) {
+  if (activation.call == nullptr) return kNoCall;
+  if (activation.record == kNoCall) {
+    const std::uint32_t caller = call_record(*activation.caller);
+    activation.record = static_cast<std::uint32_t>(calls_.size());
+    calls_.push_back({caller, activation_address(activation), activation.function});
+  }
+  return activation.record;
+}
+
+Diagnostic Machine::diagnose(Span span, const std::string& message, const std::string& help) const {
+  Diagnostic diagnostic{span, message, help, {}};
+  std::size_t shown = 0;
+  for (const Activation* at = current_; at != nullptr && at->call != nullptr; at = at->caller) {
+    if (++shown > kShownCalls) {
+      diagnostic.notes.push_back("and so on");
+      break;
+    }
+    diagnostic.notes.push_back(fmt::format("called at {}", program_.sources.place(at->call->span)));
+  }
+  return diagnostic;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,70 @@
+#pragma once
+#include "solitaire/run/constraints.h"
+
+namespace solitaire {
+
+/// The layer of an evaluation that computes: arithmetic, comparison and selection, on constants, on nodes of
+/// the graph, and on constants that carry nodes. What an operation means stands in the table of operations.
+class Operators : public Constraints {
+ public:
+  Value arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
+  Value negated(const Value& value, Span span);
+  Value compare(BinaryOp op, const Value& a, const Value& b, Span span);
+  /// Structural equality, as a bool.
+  Value equal(const Value& a, const Value& b);
+  Value invert(const Value& condition);
+  Value opaque_string(Span span);
+  /// For what needs to know what a string says.
+  void check_known(const Value& text);
+  /// The conjunction of two bools that are no unions.
+  Value both(const Value& a, const Value& b);
+  Value either(const Value& a, const Value& b);
+  /// `a` if the condition, a bool, holds, else `b`; both have been evaluated.
+  Value select(const Value& condition, const Value& a, const Value& b, Span span);
+  /// The value, for a use that depends on what exactly it is: a traced execution is one of those in which it
+  /// is the same.
+  const Value& fixed(const Value& value, Span span);
+  /// min, max: of two numbers.
+  Value pick(Op int_op, const Value& a, const Value& b, Span span);
+  Value to_float(const Value& number, Span span);
+  Value make_list(std::vector<Value> items, Span span);
+  /// An operation on numbers of its operand type.
+  Value unary(Op op, const Value& value, Span span) { return operate(op, {&value, 1}, span); }
+
+ protected:
+  using Constraints::Constraints;
+
+  /// Bounds how deep lists and records nest in a value.
+  void check_nesting(const Value& value, Span span);
+  /// An operation of the table on two ints, constants or not.
+  Value int_operation(Op op, const Value& a, const Value& b, Span span) {
+    const std::int64_t* x = a.plain<std::int64_t>();
+    const std::int64_t* y = b.plain<std::int64_t>();
+    if (x == nullptr || y == nullptr) return binary(op, a, b, span);
+    const Scalar operands[] = {Scalar::of(*x), Scalar::of(*y)};
+    const Operation& row = operation(op);
+    const auto result = row.fold(operands);
+    if (!result) too_large(span);
+    if (row.result == Type::kBool) return result->i != 0;
+    return result->i;
+  }
+
+ private:
+  Value arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, Span span);
+  Value int_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
+  Value float_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
+  Value binary(Op op, const Value& a, const Value& b, Span span) {
+    const Value operands[] = {a, b};
+    return operate(op, operands, span);
+  }
+  Value operate(Op op, std::span<const Value> operands, Span span);
+  Value fold(Op op, std::span<const Value> operands, Span span);
+  NodeId node_of_operation(Op op, std::span<const Value> operands, Span span);
+  std::vector<Value> select_members(const Value& condition, const std::vector<Value>& a,
+                                    const std::vector<Value>& b, Span span);
+  Value equal_shaped(const Value& a, const Value& b);
+  Value equal_members(const std::vector<Value>& a, const std::vector<Value>& b);
+  [[noreturn]] void too_large(Span span);
+};
+
+}  // namespace solitaire

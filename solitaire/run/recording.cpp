@@ -1,0 +1,124 @@
+#include "solitaire/run/recording.h"
+
+#include "solitaire/value/merge.h"
+
+namespace solitaire {
+namespace {
+
+std::string text_of(const std::string* message) { return message == nullptr ? std::string() : *message; }
+
+}  // namespace
+
+// ---- an execution
+
+void ExecutionEffects::choice(const TraceChoice& choice, const Value& value) {
+  const TypedScalar answer = choice.domain.is_finite() ? choice.domain.typed(*value.get<std::int64_t>())
+                                                       : TypedScalar::of(*value.get<double>());
+  execution_.choices.push_back({choice.address, choice.domain, answer});
+}
+
+void ExecutionEffects::constraint(const Constraint& constraint, const Value& condition) {
+  if (*condition.get<bool>()) return;
+  Rejection rejection{
+      constraint.kind,   constraint.span, constraint.whole, "", text_of(constraint.message), {},
+      constraint.address};
+  if (constraint.goes_on) {
+    execution_.broken.push_back(std::move(rejection));
+  } else {
+    execution_.rejection = std::move(rejection);
+  }
+}
+
+bool ExecutionEffects::wish(AddressId address, Span span, const Value& cost) {
+  execution_.wishes.push_back({*cost.get<std::int64_t>(), span, "", address});
+  execution_.cost += execution_.wishes.back().cost;
+  return is_exact(execution_.cost);
+}
+
+void ExecutionEffects::placement(Placement placement, const BuiltinCall&) {
+  execution_.placements.push_back(std::move(placement));
+}
+
+void ExecutionEffects::print(std::span<const Value> arguments) {
+  std::string line;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const String* text = arguments[i].object<String>();
+    line += (i == 0 ? "" : " ") + (text != nullptr ? text->text : to_text(arguments[i]));
+  }
+  execution_.printed.push_back(std::move(line));
+}
+
+// ---- a traced execution
+
+void TracedEffects::choice(const TraceChoice& choice, const Value& value) {
+  ExecutionEffects::choice(choice, value);
+  traced_.trace.choices.push_back(choice);
+  traced_.trace.choices.back().variable = node_of(graph_, value);
+}
+
+void TracedEffects::constraint(const Constraint& constraint, const Value& condition) {
+  ExecutionEffects::constraint(constraint, condition);
+  traced_.trace.asserts.push_back({kTrue, node_of(graph_, condition), constraint.kind, constraint.address,
+                                   constraint.span, constraint.whole, text_of(constraint.message)});
+}
+
+bool TracedEffects::wish(AddressId address, Span span, const Value& cost) {
+  traced_.trace.wishes.push_back({kTrue, node_of(graph_, cost), address, span});
+  return ExecutionEffects::wish(address, span, cost);
+}
+
+void TracedEffects::placement(Placement placement, const BuiltinCall& call) {
+  TracePlaced placed{kTrue, placement.id, placement.span, {}, execution_.placements.size()};
+  for (const Value& value : call.arguments) collect_nodes(value, placed.depends);
+  traced_.trace.placed.push_back(std::move(placed));
+  ExecutionEffects::placement(std::move(placement), call);
+}
+
+void TracedEffects::followed(const Value& condition, Span span) {
+  const NodeId holds = node_of(graph_, condition);
+  traced_.path.push_back({*condition.get<bool>() ? holds : graph_.negation(holds), span});
+}
+
+// ---- a symbolic pass
+
+void SymbolicEffects::choice(const TraceChoice& choice, const Value& value) {
+  TraceChoice made = choice;
+  made.variable = node_of(graph_, value);
+  recorder_.add(std::move(made));
+}
+
+void SymbolicEffects::constraint(const Constraint& constraint, const Value& condition) {
+  recorder_.add(TraceAssert{path_.guard(), node_of(graph_, condition), constraint.kind, constraint.address,
+                            constraint.span, constraint.whole, text_of(constraint.message)});
+}
+
+bool SymbolicEffects::wish(AddressId address, Span span, const Value& cost) {
+  recorder_.add(SoftConstraint{path_.guard(), node_of(graph_, cost), address, span});
+  return true;
+}
+
+void SymbolicEffects::placement(Placement placement, const BuiltinCall& call) {
+  TracePlaced placed{path_.guard(), placement.id, placement.span, {}, pass_.placements.size()};
+  for (const Value& value : call.arguments) collect_nodes(value, placed.depends);
+  recorder_.add(std::move(placed));
+  pass_.placements.push_back({std::move(placement),
+                              &call.site,
+                              {call.arguments.begin(), call.arguments.end()},
+                              {call.extras.begin(), call.extras.end()}});
+}
+
+void SymbolicEffects::blocked(const BranchSide& side, Span span) {
+  recorder_.add(TraceBlocker{path_.guard(), side, span});
+}
+
+void SymbolicEffects::program_error(const Diagnostic& diagnostic, AddressId address) {
+  recorder_.add(
+      TraceProgramError{path_.guard(), address, diagnostic.span, diagnostic.message, diagnostic.help, true});
+}
+
+void SymbolicEffects::unsupported(const Diagnostic& diagnostic, AddressId address) {
+  recorder_.add(
+      TraceProgramError{path_.guard(), address, diagnostic.span, diagnostic.message, diagnostic.help, false});
+}
+
+}  // namespace solitaire

@@ -1,0 +1,71 @@
+#pragma once
+#include "solitaire/run/effects.h"
+#include "solitaire/run/evaluator.h"
+#include "solitaire/run/path.h"
+
+namespace solitaire {
+
+/// Writes down what one execution does.
+class ExecutionEffects : public Effects {
+ public:
+  explicit ExecutionEffects(Execution& execution) : execution_(execution) {}
+
+  void choice(const TraceChoice& choice, const Value& value) override;
+  void constraint(const Constraint& constraint, const Value& condition) override;
+  bool wish(AddressId address, Span span, const Value& cost) override;
+  void placement(Placement placement, const BuiltinCall& call) override;
+  void unit(double metres) override { execution_.unit = metres; }
+  void print(std::span<const Value> arguments) override;
+  void followed(const Value&, Span) override {}
+  void blocked(const BranchSide&, Span) override {}
+  void program_error(const Diagnostic& diagnostic, AddressId) override { throw ProgramError(diagnostic); }
+  void unsupported(const Diagnostic& diagnostic, AddressId) override { throw ProgramError(diagnostic); }
+
+ protected:
+  Execution& execution_;
+};
+
+/// Writes down what one execution does, and beside it how that comes from its choices.
+class TracedEffects : public ExecutionEffects {
+ public:
+  TracedEffects(TracedExecution& traced, Graph& graph)
+      : ExecutionEffects(traced.execution), traced_(traced), graph_(graph) {}
+
+  void choice(const TraceChoice& choice, const Value& value) override;
+  void constraint(const Constraint& constraint, const Value& condition) override;
+  bool wish(AddressId address, Span span, const Value& cost) override;
+  void placement(Placement placement, const BuiltinCall& call) override;
+  void followed(const Value& condition, Span span) override;
+
+ private:
+  TracedExecution& traced_;
+  Graph& graph_;
+};
+
+/// Writes down what all executions do, each thing under the guard of its path.
+class SymbolicEffects : public Effects {
+ public:
+  SymbolicEffects(SymbolicPass& pass, Graph& graph, const Path& path)
+      : pass_(pass), graph_(graph), path_(path) {}
+
+  void choice(const TraceChoice& choice, const Value& value) override;
+  void constraint(const Constraint& constraint, const Value& condition) override;
+  bool wish(AddressId address, Span span, const Value& cost) override;
+  void placement(Placement placement, const BuiltinCall& call) override;
+  void unit(double metres) override { pass_.unit = metres; }
+  void print(std::span<const Value>) override {}
+  void needs_execution() override { pass_.complete = false; }
+  void followed(const Value&, Span) override {}
+  void blocked(const BranchSide& side, Span span) override;
+  void program_error(const Diagnostic& diagnostic, AddressId address) override;
+  void unsupported(const Diagnostic& diagnostic, AddressId address) override;
+  TraceRecorder* segments() override { return &recorder_; }
+
+ private:
+  SymbolicPass& pass_;
+  Graph& graph_;
+  const Path& path_;
+  TraceRecorder recorder_;
+};
+
+}  // namespace solitaire

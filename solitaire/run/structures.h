@@ -1,0 +1,53 @@
+#pragma once
+#include <functional>
+
+#include "solitaire/run/operators.h"
+
+namespace solitaire {
+
+/// The layer of an evaluation that reads and changes lists and records.
+class Structures : public Operators {
+ public:
+  Value element(const Value& object, const Value& index, Span span);
+  Value field(const Value& object, const FieldExpr& access);
+  /// Gives the items of a list of that length to `give`, in order; an error of the program if it is none.
+  template <class Give>
+  void take_apart(const Value& value, std::size_t count, Span span, Give give) {
+    const Value parts = checked_parts(value, count, span);
+    for (std::size_t i = 0; i < count; ++i) give(i, parts.as_list()->items[i]);
+  }
+  Value make_record(const RecordStmt* type, std::vector<Value> fields, Span span);
+  /// f of the items of a list; an error of the program if the value is none. `user` is what needs the list,
+  /// for the message.
+  template <class Function>
+  Value with_items(const Value& value, const char* user, Span span, Function f) {
+    return each_shape(value, [&](const Value& one) -> Value {
+      if (one.as_list() == nullptr) needs_list(one, user, span);
+      return f(one.as_list()->items);
+    });
+  }
+
+ protected:
+  using Operators::Operators;
+
+  /// Changes a part of a value in place: its new value for its old one.
+  using Change = std::function<void(Value&)>;
+  void update_element(Value& object, const Value& index, Span span, const Change& change);
+  void update_field(Value& object, const FieldExpr& target, const Change& change);
+  /// Adds an element at the end of a list.
+  void append(Value& list, const Value& element, Span span);
+
+ private:
+  Value checked_parts(const Value& value, std::size_t count, Span span);
+  [[noreturn]] void needs_list(const Value& value, const char* user, Span span);
+  void check_indexed(const Value& object, const Value& index, Span span);
+  std::size_t field_position(const RecordStmt& type, const FieldExpr& access);
+  Value element_of(const std::vector<Value>& items, const Value& index, Span span);
+  Value traced_element(const std::vector<Value>& items, const Value& index, Span span);
+  std::size_t checked_index(const Value& index, std::size_t count, Span span);
+  std::pair<std::int64_t, std::int64_t> possible_indices(const Value& index, std::size_t count, Span span);
+  void update_chosen(List& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible,
+                     const Change& change);
+};
+
+}  // namespace solitaire
