@@ -33,7 +33,7 @@ bool is_beyond_engine(const std::string& error) {
 std::string describe(const Solution& solution, const AddressTable& addresses) {
   std::vector<std::string> choices;
   for (const AnsweredChoice& choice : readable(solution.choices, addresses)) {
-    choices.push_back(fmt::format("{}={}", choice.address, choice.value));
+    choices.push_back(fmt::format("{}={}", choice.address, to_text(choice.value)));
   }
   std::sort(choices.begin(), choices.end());
   const Execution& run = solution.execution;

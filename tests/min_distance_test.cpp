@@ -17,7 +17,8 @@ using Choices = std::map<std::string, std::int64_t>;
 
 Choices choices_of(const Solution& solution) {
   Choices choices;
-  for (const AnsweredChoice& choice : solution.answers) choices.emplace(choice.address, choice.value);
+  for (const AnsweredChoice& choice : solution.answers)
+    choices.emplace(choice.address, choice.value.as_int());
   return choices;
 }
 

@@ -17,7 +17,7 @@ namespace {
 Found found(const Solution& solution, const Engine& engine) {
   Found made{to_text(solution.execution.value), {}, solution.execution.printed};
   for (const AnsweredChoice& choice : readable(solution.choices, engine.addresses())) {
-    made.choices.push_back(fmt::format("{} = {}", choice.address, choice.value));
+    made.choices.push_back(fmt::format("{} = {}", choice.address, to_text(choice.value)));
   }
   return made;
 }

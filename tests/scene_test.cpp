@@ -182,9 +182,9 @@ TEST_CASE("scene: extras tell address, source, choices and the program's own arg
   AssetLibrary assets = bundled();
   Placement placement = placed("chair", {0, 0, 0});
   const std::string long_address(100, 'a');
-  placement.choices = {{"b/x", AnsweredChoice::Kind::kInt, -7},
-                       {long_address, Distribution::Family::kFlip, 1},
-                       {"a/i", AnsweredChoice::Kind::kInt, 1234567890123}};
+  placement.choices = {{"b/x", Distribution::Family::kRange, TypedScalar::of(std::int64_t{-7})},
+                       {long_address, Distribution::Family::kFlip, TypedScalar::of(true)},
+                       {"a/i", Distribution::Family::kRange, TypedScalar::of(std::int64_t{1234567890123})}};
   placement.extras = {{"price", "12.5"}, {"tags", R"(["a","b"])"}, {"none", "null"}, {"address", "\"home\""}};
   const json file = json_of(glb_bytes(build_scene({placement}, 1, "test", assets)));
   const json expected = {{"address", placement.address},

@@ -96,7 +96,8 @@ TEST_CASE("thesis: choices that do not exist have their reserved value") {
   const std::vector<NodeId> reserved = reserved_values(graph, trace);
   REQUIRE(reserved.size() == 1);
   const auto holds = [&](NodeId condition, std::int64_t f_value, std::int64_t x_value) {
-    return Assignment(graph, [&](std::size_t i) { return i == 0 ? f_value : x_value; }).holds(condition);
+    return Assignment(graph, [&](std::size_t i) { return Scalar::of(i == 0 ? f_value : x_value); })
+        .holds(condition);
   };
   CHECK(holds(reserved[0], 0, 3));
   CHECK(!holds(reserved[0], 0, 4));
