@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <set>
 
-#include "tests/program_generator.h"
+#include "tests/generator/program_generator.h"
 #include "tests/program_run.h"
 
 namespace solitaire {
@@ -136,7 +136,7 @@ TEST_CASE("best: near misses of generated programs are brute force's") {
   int compared = 0, broken = 0;
   for (std::uint64_t seed = 500'000; seed < 500'120; ++seed) {
     ByteSource bytes(seed);
-    const std::string text = generate_program(bytes);
+    const std::string text = generate_script(bytes);
     const Program program = program_of(text);
     const Executions all = run_all(program, true, 400);
     if (!all.countable || all.ranks.empty()) continue;

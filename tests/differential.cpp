@@ -1,9 +1,13 @@
 #include "tests/differential.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fstream>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 #include "engines/distinct.h"
@@ -69,11 +73,36 @@ struct Found {
   Ending ending = Ending::kNone;
 };
 
+/// A folder that is there as long as this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "solitaire-differential-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Loads a program that has one file from memory, one that imports others from a folder of its own.
+Program load(const GeneratedProgram& program) {
+  SourceSet unused;
+  const SourceText& script = program.files.front();
+  if (program.files.size() == 1) return load_program_text(script.name, script.text, {}, unused);
+  const TemporaryFolder folder;
+  for (const SourceText& file : program.files) std::ofstream(folder.path() / file.name) << file.text;
+  return load_program(folder.path() / script.name, {}, unused);
+}
+
 class Comparer {
  public:
-  Comparer(const std::string& text, std::uint64_t seed) : seed_(seed) {
-    SourceSet unused;
-    program_ = load_program_text("test.sol", text, {}, unused);
+  Comparer(const GeneratedProgram& program, std::uint64_t seed) : program_(load(program)), seed_(seed) {
     limits_.max_steps = kMostSteps;
     limits_.max_depth = kMostDepth;
   }
@@ -141,7 +170,10 @@ class Comparer {
     if (!found.fault.empty()) return differ(name, found.fault);
     for (const std::string& error : found.errors) {
       if (expected_.errors.count(error) > 0) continue;
-      if (is_beyond_engine(error)) return skip(error);
+      if (is_beyond_engine(error)) {
+        result_.refused = true;
+        return skip(error);
+      }
       return differ(name, "an error that no execution comes to: " + error);
     }
     for (const std::string& solution : found.solutions) {
@@ -206,7 +238,7 @@ class Comparer {
 
 }  // namespace
 
-Comparison compare_engines(const std::string& program, std::uint64_t seed) {
+Comparison compare_engines(const GeneratedProgram& program, std::uint64_t seed) {
   return Comparer(program, seed).run();
 }
 

@@ -3,14 +3,14 @@
 #include <cstdlib>
 
 #include "tests/differential.h"
-#include "tests/program_generator.h"
+#include "tests/generator/program_generator.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   solitaire::ByteSource bytes(data, size);
-  const std::string program = solitaire::generate_program(bytes);
+  const solitaire::GeneratedProgram program = solitaire::generate_program(bytes);
   const solitaire::Comparison result = solitaire::compare_engines(program, size);
   if (result.outcome == solitaire::Comparison::Outcome::kDifferent) {
-    std::fprintf(stderr, "%s\n%s", result.report.c_str(), program.c_str());
+    std::fprintf(stderr, "%s\n%s", result.report.c_str(), to_text(program).c_str());
     std::abort();
   }
   return 0;

@@ -1,100 +1,47 @@
-// Compares the engines on generated programs for as long as it is told, and makes programs that fail smaller:
+// Compares the engines on generated programs for as long as it is told:
 //
 //   differential_soak MINUTES [FIRST-SEED]
 //   differential_soak --show SEED
-//   differential_soak --reduce FILE.sol
-#include <algorithm>
+//   differential_soak --check FILE.sol
+//
+// tests/reference/reducer.py makes a program smaller for which --check fails.
 #include <chrono>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
+#include <string>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "tests/differential.h"
-#include "tests/program_generator.h"
+#include "tests/generator/program_generator.h"
 
 namespace {
 
 using namespace solitaire;
 using Clock = std::chrono::steady_clock;
-using Lines = std::vector<std::string>;
-
-Lines split_lines(const std::string& text) {
-  Lines lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string join_lines(const Lines& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
-}
 
 /// "demand: missed the solution", without what names and numbers change.
 std::string kind_of_failure(const std::string& report) {
   return report.substr(0, report.find_first_of("0123456789\"=->", report.find(':') + 1));
 }
 
-std::string failure(const Lines& lines) {
-  try {
-    const Comparison result = compare_engines(join_lines(lines), 1);
-    return result.outcome == Comparison::Outcome::kDifferent ? kind_of_failure(result.report) : "";
-  } catch (const ProgramError&) {
-    return "";  // no program any more
-  }
-}
-
-/// The line after the one that closes the block which `line` opens.
-std::size_t end_of_block(const Lines& lines, std::size_t line) {
-  const std::size_t indentation = lines[line].find_first_not_of(' ');
-  std::size_t end = line + 1;
-  while (end < lines.size() && lines[end].find_first_not_of(' ') > indentation) ++end;
-  return std::min(end + 1, lines.size());
-}
-
-/// All that can be left out from a line on: the line, its block with or without what is in it.
-std::vector<Lines> smaller_at(const Lines& lines, std::size_t at) {
-  std::vector<Lines> result;
-  const auto without = [&](std::size_t begin, std::size_t end) {
-    Lines rest(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(begin));
-    rest.insert(rest.end(), lines.begin() + static_cast<std::ptrdiff_t>(end), lines.end());
-    return rest;
-  };
-  if (lines[at].empty() || lines[at].back() != '{') return {without(at, at + 1)};
-  const std::size_t end = end_of_block(lines, at);
-  result.push_back(without(at, end));
-  Lines inner = lines;
-  inner.erase(inner.begin() + static_cast<std::ptrdiff_t>(end) - 1);
-  inner.erase(inner.begin() + static_cast<std::ptrdiff_t>(at));
-  result.push_back(std::move(inner));
-  return result;
-}
-
-Lines reduce(Lines lines) {
-  const std::string wanted = failure(lines);
-  for (bool smaller = true; smaller;) {
-    smaller = false;
-    for (std::size_t at = lines.size(); at-- > 0;) {
-      if (at >= lines.size()) continue;
-      for (Lines& candidate : smaller_at(lines, at)) {
-        if (failure(candidate) != wanted) continue;
-        lines = std::move(candidate);
-        smaller = true;
-        break;
-      }
-    }
-  }
-  return lines;
-}
-
-std::string read_file(const std::string& path) {
+SourceText read_file(const std::filesystem::path& path) {
   std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return {path.filename().string(), {std::istreambuf_iterator<char>(in), {}}};
+}
+
+/// A script with the generated files that stand beside it.
+GeneratedProgram read_program(const std::filesystem::path& script) {
+  GeneratedProgram program{{read_file(script)}};
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::absolute(script).parent_path())) {
+    if (entry.path().filename().string().rfind("part_", 0) == 0)
+      program.files.push_back(read_file(entry.path()));
+  }
+  return program;
 }
 
 int soak(double minutes, std::uint64_t seed) {
@@ -104,7 +51,7 @@ int soak(double minutes, std::uint64_t seed) {
   std::map<std::string, int> skipped;
   for (; Clock::now() < end && failures < 20; ++seed) {
     ByteSource bytes(seed);
-    const std::string program = generate_program(bytes);
+    const GeneratedProgram program = generate_program(bytes);
     ++programs;
     try {
       const Comparison result = compare_engines(program, seed);
@@ -117,10 +64,10 @@ int soak(double minutes, std::uint64_t seed) {
       if (result.outcome == Comparison::Outcome::kSkipped) ++skipped[kind_of_failure(result.report)];
       if (result.outcome != Comparison::Outcome::kDifferent) continue;
       ++failures;
-      std::cout << fmt::format("seed {}: {}\n{}\n", seed, result.report, program) << std::flush;
+      std::cout << fmt::format("seed {}: {}\n{}\n", seed, result.report, to_text(program)) << std::flush;
     } catch (const ProgramError& error) {
       ++failures;
-      std::cout << fmt::format("seed {} makes no program: {}\n{}\n", seed, error.what(), program)
+      std::cout << fmt::format("seed {} makes no program: {}\n{}\n", seed, error.what(), to_text(program))
                 << std::flush;
     }
   }
@@ -138,20 +85,16 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() == 2 && arguments[0] == "--show") {
     ByteSource bytes(std::stoull(arguments[1]));
-    std::cout << generate_program(bytes);
-  } else if (arguments.size() == 2 && arguments[0] == "--reduce") {
-    const Lines smallest = reduce(split_lines(read_file(arguments[1])));
-    std::cout << join_lines(smallest) << "// " << compare_engines(join_lines(smallest), 1).report << "\n";
+    std::cout << to_text(generate_program(bytes));
   } else if (arguments.size() == 2 && arguments[0] == "--check") {
-    const Comparison result = compare_engines(read_file(arguments[1]), 1);
+    const Comparison result = compare_engines(read_program(arguments[1]), 1);
     std::cout << fmt::format("{} {} executions, {} solutions, {} errors\n", result.report, result.executions,
                              result.solutions, result.errors);
     return result.outcome == Comparison::Outcome::kDifferent ? 1 : 0;
   } else if (arguments.size() == 1 || arguments.size() == 2) {
     return soak(std::stod(arguments[0]), arguments.size() > 1 ? std::stoull(arguments[1]) : 1);
   } else {
-    std::cerr
-        << "usage: differential_soak MINUTES [FIRST-SEED] | --show SEED | --check FILE | --reduce FILE\n";
+    std::cerr << "usage: differential_soak MINUTES [FIRST-SEED] | --show SEED | --check FILE\n";
     return 2;
   }
   return 0;

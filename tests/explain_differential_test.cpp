@@ -5,7 +5,7 @@
 
 #include "engines/solve/tracing.h"
 #include "tests/explain_check.h"
-#include "tests/program_generator.h"
+#include "tests/generator/program_generator.h"
 
 namespace solitaire {
 namespace {
@@ -15,7 +15,7 @@ struct Sample {
 
   void add(std::uint64_t seed) {
     ByteSource bytes(seed);
-    const std::string text = generate_program(bytes);
+    const std::string text = generate_script(bytes);
     CAPTURE(seed);
     CAPTURE(text);
     SourceSet unused;

@@ -6,7 +6,7 @@
 
 #include "engines/solve/series.h"
 #include "tests/command.h"
-#include "tests/program_generator.h"
+#include "tests/generator/program_generator.h"
 #include "tests/program_run.h"
 #include "tests/proof.h"
 
@@ -91,7 +91,7 @@ TEST_CASE("min distance: of generated programs") {
   int checked = 0;
   for (std::uint64_t seed = 500'000; seed < 500'060; ++seed) {
     ByteSource bytes(seed);
-    const std::string text = generate_program(bytes);
+    const std::string text = generate_script(bytes);
     try {
       if (check_all(text, 0.5) && check_all(text, 0.3, little)) ++checked;
     } catch (const ProgramError&) {  // program_errors are another test's business

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 namespace solitaire {
 
@@ -12,7 +11,8 @@ class ByteSource {
   explicit ByteSource(std::uint64_t seed) : state_(seed) {}
   ByteSource(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
 
-  /// 0 .. bound - 1. Zero bytes give zeros: a generator that puts its simplest case first comes to an end.
+  /// Returns 0 .. bound - 1. Zero bytes give zeros: a generator that puts its simplest case first comes to an
+  /// end.
   std::uint32_t below(std::uint32_t bound);
 
  private:
@@ -22,10 +22,5 @@ class ByteSource {
   std::size_t left_ = 0;
   std::uint64_t state_ = 0;
 };
-
-/// A program that ends in every execution and uses all of the language, with so few choices that most often
-/// all executions can be run. One statement a line, so that a program that fails can be made smaller by
-/// lines.
-std::string generate_program(ByteSource& bytes);
 
 }  // namespace solitaire

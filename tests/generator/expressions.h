@@ -1,0 +1,55 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tests/generator/draft.h"
+
+namespace solitaire::generator {
+
+/// Makes expressions of every kind of value. The deeper an expression stands in another, the simpler it is.
+class Expressions {
+ public:
+  explicit Expressions(Draft& draft) : draft_(draft) {}
+
+  std::string expression(Kind kind, int depth = 0);
+  std::string integer(int depth);
+  std::string boolean(int depth);
+  std::string list(int depth);
+  std::string pairs(int depth);
+  std::string nested(int depth);
+  std::string text(int depth);
+  std::string literal();
+  /// An index, mostly in range of a short list.
+  std::string index(int depth);
+  std::string either(Kind kind, int depth);
+  /// A call of `range`, `flip` or `choose`, as long as choices are left.
+  std::string choice(const std::string& call);
+  std::string call_of(const Declared& callee, int depth, const std::string& first = "");
+
+ private:
+  struct Weighted {
+    std::uint32_t weight;
+    Draft::Maker make;
+  };
+
+  /// The first maker is the simplest one; beyond the deepest level it is the only one.
+  std::string pick(int depth, const std::vector<Weighted>& makers);
+  std::string divisor(int depth);
+  std::string list_of(Kind kind, int depth, int count);
+  std::string comprehension(int depth);
+  std::string record(int depth);
+  /// A float. The solver has to be told no condition on it, so that most often it is only shown.
+  std::string real(int depth);
+  /// A function of one int.
+  std::string function(int depth);
+  std::string lambda(int depth);
+  std::string choice_of_int(int depth);
+  std::string call(Kind result, int depth);
+  std::string use_mixed(Kind kind, int depth);
+  /// Something that is wrong, most often where only some executions come.
+  std::string mistaken(Kind kind, int depth);
+
+  Draft& draft_;
+};
+
+}  // namespace solitaire::generator

@@ -1,0 +1,75 @@
+#include "tests/generator/file_writer.h"
+
+#include <fmt/format.h>
+
+namespace solitaire::generator {
+
+using fmt::format;
+
+SourceText FileWriter::file() const {
+  return {draft_.is_part ? format("part_{}.sol", draft_.letter) : "main.sol", draft_.text};
+}
+
+void FileWriter::first_choice() {
+  const std::string name = draft_.fresh("v");
+  const bool flips = draft_.one_in(3);
+  draft_.line(format("{} = {};", name, flips ? "flip()" : format("range({}, 2)", draft_.number(-1, 1))));
+  draft_.declare(name, flips ? Kind::kBool : Kind::kInt);
+}
+
+void FileWriter::shared_name() {
+  if (!draft_.one_in(2)) return;
+  draft_.line(format("shared = {};", draft_.one_in(2) ? statements_.expressions().choice("range(0, 1)")
+                                                      : statements_.expressions().literal()));
+  draft_.declare("shared", Kind::kInt, true);
+}
+
+void FileWriter::param() {
+  const std::string name = draft_.fresh("n");
+  draft_.line(format("param {} = {};", name, statements_.expressions().literal()));
+  draft_.declare(name, Kind::kInt);
+}
+
+void FileWriter::import(const FileWriter& other) {
+  draft_.line(format("import \"{}\";", other.file().name));
+  const std::vector<Variable>& variables = other.draft_.variables;
+  for (auto own = variables.begin() + other.imported_variables_; own != variables.end(); ++own) {
+    draft_.declare(own->name, own->kind, true);
+  }
+  const std::vector<Declared>& functions = other.draft_.functions;
+  draft_.functions.insert(draft_.functions.end(), functions.begin() + other.imported_functions_,
+                          functions.end());
+  imported_variables_ = static_cast<std::ptrdiff_t>(draft_.variables.size());
+  imported_functions_ = static_cast<std::ptrdiff_t>(draft_.functions.size());
+}
+
+void FileWriter::write_script(bool wishes) {
+  draft_.wishes = wishes;
+  draft_.choices = 1 + static_cast<int>(draft_.below(imported_functions_ > 0 ? 4 : 6));
+  draft_.mistakes = draft_.one_in(4) ? 1 : 0;
+  // Without a declaration of its own the script makes records of an imported file.
+  if (imported_variables_ == 0 || !draft_.one_in(2)) draft_.line("record Point(a, b, c = 1);");
+  shared_name();
+  if (draft_.one_in(6)) param();
+  for (int i = draft_.number(1, 3); i > 0; --i) first_choice();
+  statements_.assign_new(Kind::kList);
+  const int count = 3 + static_cast<int>(draft_.below(9));
+  for (int i = 0; i < count; ++i) draft_.one_in(5) ? statements_.declare_function() : statements_.statement();
+  draft_.line(format("assert(({}) % 4 != 2);", draft_.digest()));
+  draft_.line(format("return {};", draft_.everything()));
+}
+
+void FileWriter::write_part() {
+  draft_.is_part = true;
+  draft_.choices = static_cast<int>(draft_.below(3));
+  draft_.line("record Point(a, b, c = 1);");
+  shared_name();
+  if (draft_.one_in(4)) param();
+  if (draft_.one_in(2)) first_choice();
+  statements_.assign_new(Kind::kInt);
+  const int count = 1 + static_cast<int>(draft_.below(3));
+  for (int i = 0; i < count; ++i) draft_.one_in(2) ? statements_.declare_function() : statements_.statement();
+  statements_.declare_function();
+}
+
+}  // namespace solitaire::generator

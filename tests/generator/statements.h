@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+
+#include "tests/generator/draft.h"
+#include "tests/generator/expressions.h"
+#include "tests/generator/functions.h"
+
+namespace solitaire::generator {
+
+/// Writes statements, one a line.
+class Statements {
+ public:
+  explicit Statements(Draft& draft) : draft_(draft) {}
+  Statements(const Statements&) = delete;
+  Statements& operator=(const Statements&) = delete;
+
+  void statement();
+  void declare_function();
+  void assign_new(Kind kind);
+  Expressions& expressions() { return expressions_; }
+
+ private:
+  /// Writes the inside of a block. Variables that it declares may be unset behind it; now and then one stays
+  /// in use all the same.
+  void block(int most);
+  void simple_statement();
+  void wish();
+  /// A condition to assert that is not too strong, or few programs would have a solution.
+  std::string assertion();
+  void assign_again();
+  void assign_mixed();
+  void write_element();
+  void place();
+  void swap();
+  void optional_append();
+  void if_statement();
+  /// Writes calls of one function at sites that exclude each other, with arguments and outer variables that
+  /// are the same or not: calls share what was found out about one of them.
+  void same_calls();
+  void exclusive_call(const Declared& callee, const std::string& name, const std::string& call);
+  void for_statement();
+  void while_statement();
+  /// Writes an early way out, for some executions.
+  void leave();
+  std::string returned();
+
+  Draft& draft_;
+  Expressions expressions_{draft_};
+  Functions functions_{draft_, expressions_, [this] { statement(); }};
+};
+
+}  // namespace solitaire::generator

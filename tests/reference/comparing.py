@@ -1,0 +1,158 @@
+"""Holds the solutions that `solitaire` finds against those of the reference interpreter."""
+
+import re
+import tempfile
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+import solitaire
+from interpreter.modules import load_program, param_values
+from interpreter.search import Results, TooMany, all_executions
+from interpreter.syntax import ProgramError
+from interpreter.values import plain
+from program_files import write_files
+
+# What the solver may refuse though no execution comes to a mistake, by the manual: name -> a part of the message.
+REFUSALS = {
+    "float": "depends on a float that depends on choices",
+    "62 bits": "past 62 bits",
+    "text": "the program looks at what it says",
+    "long range": "4096",
+}
+# What is known to be wrong today: name -> a part of the message. Each is left out of the comparison, and counted.
+KNOWN = {
+    "steps of paths that no execution takes": "this runs for more than",
+    "cost past 62 bits": "the cost of all wishes",
+}
+STEPS_LIMIT = "this runs for more than"
+DEPTH_LIMIT = "calls nest deeper"
+
+
+@dataclass
+class Limits:
+    """Of one program. The solver gets more steps than the interpreter, since the two count differently."""
+
+    executions: int = 1500
+    steps: int = 20_000
+    depth: int = 40
+    seconds: int = 20
+
+
+@dataclass
+class Comparison:
+    """`outcome` is equal, different, refused, known or skipped; `reason` says which refusal, or what differs."""
+
+    outcome: str
+    reason: str = ""
+    solutions: int = 0
+    errors: int = 0
+    executions: int = 0
+
+
+def reference_keys(results):
+    return Counter(
+        solitaire.solution_key(
+            plain(each.value), each.cost, [{"at": at, "value": value} for at, value in each.choices.items()]
+        )
+        for each in results.solutions
+    )
+
+
+def reason_of(message, table):
+    return next((name for name, part in table.items() if part in message), None)
+
+
+def float_operations(results):
+    """The places, (file name, line), where some execution met a float after a choice."""
+    return {(Path(place.file).name, place.line) for place in results.floats}
+
+
+class Comparer:
+    """Compares the results of one program."""
+
+    def __init__(self, results, answer):
+        self.results = results
+        self.answer = answer
+        self.expected = reference_keys(results)
+        self.errors = {(Path(error.place.file).name, error.place.line) for error in results.errors}
+
+    def result(self, outcome, reason=""):
+        return Comparison(outcome, reason, len(self.results.solutions), len(self.errors), self.results.executions)
+
+    def compare(self):
+        if self.answer.fault:
+            return self.result("different", self.answer.fault)
+        wrong = [key for key in self.answer.solutions if key not in self.expected]
+        if wrong:
+            return self.result("different", f"no solution: {wrong[0]}")
+        twice = [key for key, count in self.answer.solutions.items() if count > 1]
+        if twice:
+            return self.result("different", f"found twice: {twice[0]}")
+        if self.answer.errors:
+            return self.compare_error(*self.answer.errors[0])
+        if self.answer.stopped:
+            return self.result("skipped", "no answer in time")
+        return self.compare_complete()
+
+    def compare_error(self, file, line, message):
+        place = (Path(file).name, line)
+        if place in self.errors:
+            return self.result("equal")
+        known = reason_of(message, KNOWN)
+        if known:
+            return self.result("known", known)
+        refusal = reason_of(message, REFUSALS)
+        if refusal == "float" and place not in float_operations(self.results):
+            return self.result("different", f"line {line} compares no float that depends on choices: {message}")
+        if refusal:
+            return self.result("refused", refusal)
+        return self.result("different", f"no execution comes to this error: {file}:{line}: {message}")
+
+    def compare_complete(self):
+        if self.results.errors:
+            return self.result("different", f"missed the error {self.results.errors[0]}")
+        missed = [key for key in self.expected if key not in self.answer.solutions]
+        if missed:
+            return self.result("different", f"missed {missed[0]}")
+        printed = Counter(line for each in self.results.solutions for line in each.printed)
+        if printed != self.answer.printed:
+            return self.result("different", f"printed {(printed - self.answer.printed) or (self.answer.printed - printed)}")
+        return self.result("equal")
+
+
+def compare(program, script, settings=(), limits=None):
+    """Compares on a script. `settings` are pairs of a param's name and its text."""
+    limits = limits or Limits()
+    options = [word for name, text in settings for word in ("--set", f"{name}={text}")]
+    options += ["--max-steps", str(10 * limits.steps), "--max-depth", str(limits.depth)]
+    try:
+        results = reference_results(script, settings, limits)
+    except TooMany:
+        return Comparison("skipped", "too many executions")
+    if any(STEPS_LIMIT in error.message for error in results.errors):
+        return Comparison("skipped", "runs for long")
+    return Comparer(results, solitaire.solve(program, script, options, limits.seconds)).compare()
+
+
+def reference_results(script, settings, limits):
+    """What the interpreter finds; a program that cannot be loaded has one error and no executions."""
+    try:
+        program = load_program(script, [solitaire.LIBRARY])
+        params = param_values(program, settings)
+    except ProgramError as error:
+        return Results(errors=[error])
+    return all_executions(program, params, limits.executions, limits.steps, limits.depth)
+
+
+def compare_files(program, files, settings=(), limits=None):
+    """Compares on a program that is given as a dict of files, the script first."""
+    with tempfile.TemporaryDirectory() as folder:
+        return compare(program, write_files(files, folder), settings, limits)
+
+
+def kind_of_difference(comparison):
+    """What differs, without what names and numbers change; "" if nothing differs."""
+    if comparison.outcome != "different":
+        return ""
+    return re.split(r"[\[\"0-9{/]", comparison.reason, maxsplit=1)[0]

@@ -1,0 +1,269 @@
+"""The builtins of the manual's table."""
+
+import math
+import re
+
+from .operators import BINARY, Rejected, condition, within_62_bits
+from .syntax import ProgramError
+from .values import Builtin, is_number, kind, same, text
+
+COLOURS = set(
+    "white silver gray grey black red maroon orange yellow olive green lime teal cyan blue navy purple pink brown"
+    " beige".split()
+)
+
+
+def need(call, parameter, types, wanted):
+    """An argument, which has to be of one of these types."""
+    value = call.given[parameter]
+    if type(value) not in types:
+        raise ProgramError(call.place_of(parameter), f"{wanted} is needed here, not {kind(value)}")
+    return value
+
+
+def a_list(call, parameter="list"):
+    return need(call, parameter, [tuple], "a list")
+
+
+def a_number(call, parameter="x"):
+    return need(call, parameter, [int, float], "a number")
+
+
+def items(call, parameter):
+    """The elements of a list, or all arguments if there are several."""
+    if not call.rest:
+        return a_list(call, parameter)
+    return (call.given[parameter], *call.rest)
+
+
+# ---- choices
+
+
+def choose_range(run, call):
+    low, high, step = (call.given.get(name, 1) for name in ("lo", "hi", "step"))
+    for parameter, value in (("lo", low), ("hi", high), ("step", step)):
+        if type(value) is not int:
+            raise ProgramError(call.place_of(parameter), f"a range is made of ints, not of {kind(value)}")
+    if step < 1:
+        raise ProgramError(call.place_of("step"), "the step of a range is an int from 1")
+    return run.choose(call.address(), range(low, high + 1, step))
+
+
+def choose_flip(run, call):
+    return run.choose(call.address(), (False, True))
+
+
+def choose_element(run, call):
+    elements = a_list(call)
+    return elements[run.choose(call.address(), range(len(elements)))]
+
+
+def check(run, call):
+    if not condition(call.given["condition"], call.place_of("condition")):
+        raise Rejected
+
+
+# ---- wishes
+
+
+def prefer(run, call):
+    holds = condition(call.given["condition"], call.place_of("condition"))
+    weight = call.given.get("weight", 1)
+    if type(weight) is not int or weight < 0:
+        raise ProgramError(call.place_of("weight"), "the weight of 'prefer' is an int from 0")
+    run.add_cost(0 if holds else weight)
+
+
+def minimize(run, call):
+    run.add_cost(need(call, "x", [int], "an int"))
+
+
+def maximize(run, call):
+    run.add_cost(-need(call, "x", [int], "an int"))
+
+
+# ---- numbers
+
+
+def extreme(best):
+    def run_extreme(run, call):
+        numbers = items(call, "list")
+        for number in numbers:
+            if not is_number(number):
+                raise ProgramError(call.place, f"numbers are needed here, not {kind(number)}")
+        if not numbers:
+            raise Rejected
+        found = best(numbers)
+        return float(found) if any(type(each) is float for each in numbers) else found
+
+    return run_extreme
+
+
+def floor(run, call):
+    number = a_number(call)
+    if not math.isfinite(number):
+        raise ProgramError(call.place, f"'floor' of {number} has no value")
+    return within_62_bits(math.floor(number), call.place)
+
+
+def of_float(function):
+    def run_function(run, call):
+        number = float(a_number(call))
+        try:
+            return function(number)
+        except ValueError as error:
+            raise ProgramError(call.place, f"this function of {number} has no value") from error
+
+    return run_function
+
+
+# ---- conditions
+
+
+def select(run, call):
+    chosen = condition(call.given["condition"], call.place_of("condition"))
+    return call.given["then" if chosen else "otherwise"]
+
+
+def quantifier(function):
+    def run_quantifier(run, call):
+        if not call.given:
+            return function([])
+        return function([condition(each, call.place) for each in items(call, "conditions")])
+
+    return run_quantifier
+
+
+# ---- lists
+
+
+def length(run, call):
+    return len(need(call, "list", [tuple, str], "a list"))
+
+
+def total(run, call):
+    result = 0
+    for each in a_list(call):
+        result = BINARY["+"](result, each, call.place)
+    return result
+
+
+def contains(run, call):
+    return any(same(each, call.given["value"]) for each in a_list(call))
+
+
+def pairs_of(elements):
+    return [(a, b) for i, a in enumerate(elements) for b in elements[i + 1 :]]
+
+
+def distinct(run, call):
+    return not any(same(a, b) for a, b in pairs_of(a_list(call)))
+
+
+def zip_lists(run, call):
+    return tuple(zip(a_list(call, "a"), a_list(call, "b")))
+
+
+def first(run, call):
+    if not a_list(call):
+        raise Rejected
+    return call.given["list"][0]
+
+
+def others(run, call):
+    if not a_list(call):
+        raise Rejected
+    return call.given["list"][1:]
+
+
+# ---- text and scenes
+
+
+def print_line(run, call):
+    run.printed.append(" ".join(text(each) for each in call.rest))
+
+
+def unit(run, call):
+    metres = call.given["metres"]
+    if not is_number(metres) or not 0 < metres < math.inf:
+        raise ProgramError(call.place, "a unit is a positive number of metres")
+
+
+def is_text(value):
+    return type(value) is str
+
+
+def is_point(value):
+    return type(value) is tuple and len(value) in (2, 3) and all(is_number(each) for each in value)
+
+
+def is_color(value):
+    if type(value) is str:
+        return value in COLOURS or re.fullmatch("#[0-9a-fA-F]{6}", value) is not None
+    return type(value) is tuple and len(value) == 3 and all(is_number(each) and 0 <= each <= 1 for each in value)
+
+
+PLACE_RULES = {
+    "asset": is_text,
+    "at": is_point,
+    "size": lambda value: is_point(value) and all(each > 0 for each in value),
+    "turn": lambda value: type(value) is int,
+    "angle": is_number,
+    "color": is_color,
+    "name": is_text,
+}
+
+
+def place(run, call):
+    for parameter, rule in PLACE_RULES.items():
+        value = call.given.get(parameter)
+        if value is not None and not rule(value):
+            raise ProgramError(call.place_of(parameter), f"place: {parameter!r} cannot be {text(value)}")
+    if call.given.get("turn") is not None and call.given.get("angle") is not None:
+        raise ProgramError(call.place_of("angle"), "place: 'angle' stands beside 'turn'")
+    run.placed.append(dict(call.given, extras=call.extras))
+
+
+def builtin(name, parameters, run, required=None, **more):
+    parameters = parameters.split()
+    return Builtin(name, parameters, len(parameters) if required is None else required, run, **more)
+
+
+BUILTINS = {
+    each.name: each
+    for each in [
+        builtin("range", "lo hi step", choose_range, required=2),
+        builtin("flip", "", choose_flip),
+        builtin("choose", "list", choose_element),
+        builtin("assert", "condition message", check, required=1),
+        builtin("prefer", "condition weight", prefer, required=1),
+        builtin("minimize", "x", minimize),
+        builtin("maximize", "x", maximize),
+        builtin("min", "list", extreme(min), variadic=True),
+        builtin("max", "list", extreme(max), variadic=True),
+        builtin("abs", "x", lambda run, call: abs(a_number(call))),
+        builtin("mod", "a b", lambda run, call: BINARY["%"](call.given["a"], call.given["b"], call.place)),
+        builtin("floor", "x", floor),
+        builtin("sqrt", "x", of_float(math.sqrt)),
+        builtin("sin", "x", of_float(math.sin)),
+        builtin("cos", "x", of_float(math.cos)),
+        builtin("cond", "condition then otherwise", select),
+        builtin("all", "conditions", quantifier(all), required=0, variadic=True),
+        builtin("any", "conditions", quantifier(any), required=0, variadic=True),
+        builtin("length", "list", length),
+        builtin("sum", "list", total),
+        builtin("contains", "list value", contains),
+        builtin("distinct", "list", distinct),
+        builtin("pairs", "list", lambda run, call: tuple(pairs_of(a_list(call)))),
+        builtin("zip", "a b", zip_lists),
+        builtin("reverse", "list", lambda run, call: a_list(call)[::-1]),
+        builtin("cons", "first rest", lambda run, call: (call.given["first"], *a_list(call, "rest"))),
+        builtin("car", "list", first),
+        builtin("cdr", "list", others),
+        builtin("null", "list", lambda run, call: not a_list(call)),
+        builtin("str", "value", lambda run, call: text(call.given["value"])),
+        builtin("print", "", print_line, variadic=True),
+        builtin("unit", "metres", unit),
+        builtin("place", "asset at size turn angle color name", place, required=0, extras=True),
+    ]
+}
