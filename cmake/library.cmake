@@ -5,9 +5,13 @@ target_compile_options(solitaire_options INTERFACE -Wall -Wextra -Wpedantic -Wsh
 # g++ 12 sees overlapping copies in "text" + std::string (GCC bug 105651).
 target_compile_options(solitaire_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(SOLITAIRE_SANITIZE)
-  target_compile_options(solitaire_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+  set(solitaire_sanitizers address,undefined)
+  if(SOLITAIRE_SANITIZE STREQUAL thread)
+    set(solitaire_sanitizers thread)
+  endif()
+  target_compile_options(solitaire_options INTERFACE -fsanitize=${solitaire_sanitizers} -fno-sanitize-recover=all
                                                      -fno-omit-frame-pointer)
-  target_link_options(solitaire_options INTERFACE -fsanitize=address,undefined)
+  target_link_options(solitaire_options INTERFACE -fsanitize=${solitaire_sanitizers})
 endif()
 if(SOLITAIRE_FUZZ)
   target_compile_options(solitaire_options INTERFACE -fsanitize=fuzzer-no-link)

@@ -7,12 +7,21 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace solitaire {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
+}  // namespace
 
 Workplace::Workplace() {
   std::string name = (fs::temp_directory_path() / "solitaire-test-XXXXXX").string();
@@ -62,10 +71,10 @@ std::string Command::output() const { return bytes_of(workplace_ / "out"); }
 
 Outcome Command::wait() {
   int status = 0;
-  waitpid(process_, &status, 0);
-  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output(),
-                  bytes_of(workplace_ / "err")};
-  return outcome;
+  rusage usage{};
+  wait4(process_, &status, 0, &usage);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output(),
+          bytes_of(workplace_ / "err"), seconds(usage.ru_utime) + seconds(usage.ru_stime)};
 }
 
 Outcome run(const std::vector<std::string>& arguments) { return Command(arguments).wait(); }

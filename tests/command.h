@@ -26,6 +26,7 @@ class Workplace {
 struct Outcome {
   int status = 0;  // the exit status, or 128 and the signal that ended it
   std::string out, err;
+  double cpu_seconds = 0;  // that it computed for, on all of its threads together
 };
 
 /// A running command. The first of the arguments is looked for on the PATH.

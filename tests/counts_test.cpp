@@ -65,7 +65,7 @@ TEST_CASE("counts: self-avoiding walks") {
   CHECK(count("walks.sol") == 284);
 }
 
-TEST_CASE("counts: SEND + MORE = MONEY has one solution") {
+TEST_CASE("counts: SEND + MORE = MONEY has one solution (slow)") {
   const std::vector<Found> found = solve_all("send_more_money.sol");
   REQUIRE(found.size() == 1);
   CHECK(found[0].value == "[9567, 1085]");

@@ -114,7 +114,7 @@ std::string both_ways(const std::string& program, const Limits& limits = {}) {
   return found;
 }
 
-TEST_CASE("errors: deep nesting and long expressions are refused, and not by crashing") {
+TEST_CASE("errors: deep nesting and long expressions are refused, and not by crashing (slow)") {
   CHECK(ends_with(first_line(both_ways("x = " + repeat("(", 100'000) + "1" + repeat(")", 100'000) + ";")),
                   "error: this nests too deeply"));
   for (const std::string open :

@@ -86,8 +86,12 @@ void check_scripts(std::size_t part) {
 }
 
 TEST_CASE("explain: every script has the conflicts that its comments say, part 1") { check_scripts(0); }
-TEST_CASE("explain: every script has the conflicts that its comments say, part 2") { check_scripts(1); }
-TEST_CASE("explain: every script has the conflicts that its comments say, part 3") { check_scripts(2); }
+TEST_CASE("explain: every script has the conflicts that its comments say, part 2 (slow)") {
+  check_scripts(1);
+}
+TEST_CASE("explain: every script has the conflicts that its comments say, part 3 (slow)") {
+  check_scripts(2);
+}
 TEST_CASE("explain: every script has the conflicts that its comments say, part 4") { check_scripts(3); }
 
 }  // namespace

@@ -639,8 +639,9 @@ void check_encoding(const std::vector<Distribution>& domains) {
   });
 }
 
-TEST_CASE_TEMPLATE("solver: the encoding of every operation agrees with its fold, over pairs of domains",
-                   BackEnd, Z3, Cadical) {
+TEST_CASE_TEMPLATE(
+    "solver: the encoding of every operation agrees with its fold, over pairs of domains (slow)", BackEnd, Z3,
+    Cadical) {
   for (const Distribution& a : kDomains) {
     for (const Distribution& b : kDomains) check_encoding<BackEnd>({a, b});
   }
@@ -656,7 +657,8 @@ TEST_CASE_TEMPLATE("solver: the encoding of every operation agrees with its fold
   }
 }
 
-TEST_CASE_TEMPLATE("solver: the encoding holds out to the ends of the exact range", BackEnd, Z3, Cadical) {
+TEST_CASE_TEMPLATE("solver: the encoding holds out to the ends of the exact range (slow)", BackEnd, Z3,
+                   Cadical) {
   const Distribution top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
   const Distribution half{(std::int64_t{1} << 61) - 1, std::int64_t{1} << 61, 1, {}};
   const Distribution whole{-kIntLimit, kIntLimit, kIntLimit, {}};

@@ -92,7 +92,7 @@ std::vector<std::string> take_with(std::size_t jobs, const char* text, SeriesOpt
   return taken;
 }
 
-TEST_CASE("series: the same solutions come in the same order, however many searches are at work") {
+TEST_CASE("series: the same solutions come in the same order, however many searches are at work (slow)") {
   for (const bool looks : {false, true}) {
     for (const std::size_t count : {1, 7, 60, 1000}) {
       const SeriesOptions options = looks ? different_looks() : SeriesOptions{};

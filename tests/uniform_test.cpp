@@ -143,7 +143,7 @@ TEST_CASE("uniform: models drawn from cells are alike probable") { check_cells(s
 TEST_CASE("uniform: models drawn from cells are alike probable in another program") {
   check_cells(sampled()[2]);
 }
-TEST_CASE("uniform: models drawn from cells are alike probable on unequal paths") {
+TEST_CASE("uniform: models drawn from cells are alike probable on unequal paths (slow)") {
   check_cells(
       {"if flip() { x = range(0, 60, 3); return x; }\ny = range(0, 12);\nz = range(0, y);\n"
        "assert(y + z < 18);\nreturn [y, z];\n"});
