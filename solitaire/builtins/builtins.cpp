@@ -171,7 +171,8 @@ Value absolute(Evaluator& evaluator, Call call) {
     if (!x.is_number())
       evaluator.program_error(span, fmt::format("'abs' needs a number, not {}", describe(x)));
     if (x.has_type(Type::kInt)) return evaluator.unary(Op::kAbs, x, span);
-    return evaluator.pick(Op::kMax, x, evaluator.negated(x, span), span);
+    // Of 0.0 the difference is no negative zero, as the negation would be.
+    return evaluator.pick(Op::kMax, x, evaluator.arithmetic(BinaryOp::kSubtract, 0.0, x, span), span);
   });
 }
 

@@ -25,9 +25,23 @@ class Answer:
     stopped: bool = False  # whether a limit came first
 
 
+def one_zero(value):
+    """The value with 0.0 for each -0.0: they are the same number, and either may be the result of `max` or `min`."""
+    if isinstance(value, list):
+        return [one_zero(each) for each in value]
+    if isinstance(value, dict):
+        return {name: one_zero(each) for name, each in value.items()}
+    return 0.0 if isinstance(value, float) and value == 0 else value
+
+
 def solution_key(value, cost, choices):
     """A solution as text: equal for equal solutions, whatever the order of choices. True is not 1 here."""
-    return json.dumps([sorted((choice["at"], choice["value"]) for choice in choices), value, cost or 0])
+    return json.dumps([sorted((choice["at"], choice["value"]) for choice in choices), one_zero(value), cost or 0])
+
+
+def printed_lines(lines):
+    """How often each line was printed, with one zero as in values."""
+    return Counter(re.sub(r"-0\.0(?![0-9])", "0.0", line) for line in lines)
 
 
 def read_answer(process):
@@ -41,7 +55,7 @@ def read_answer(process):
     if fault or process.returncode < 0:
         answer.fault = fault.group() if fault else f"ended by signal {-process.returncode}"
     if not answer.errors:
-        answer.printed = Counter(process.stderr.splitlines())
+        answer.printed = printed_lines(process.stderr.splitlines())
     answer.complete = process.returncode in (0, 1) and not answer.errors
     answer.stopped = process.returncode == 4
     return answer
