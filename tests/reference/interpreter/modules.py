@@ -53,7 +53,10 @@ class Loader:
         return module
 
     def step(self, path):
-        """The step of addresses that an imported file is: its name, and a number if another file has that name."""
+        """The step of addresses that an imported file is: its name, and a number if another one has that name. The
+        script is none."""
+        if len(self.loading) == 1:
+            return ""
         self.names[path.name] += 1
         count = self.names[path.name]
         return path.name if count == 1 else f"{path.name}#{count}"
