@@ -30,6 +30,9 @@ ExitStatus check_command(const Options& options, Watchdog& watchdog) {
   const Watchdog::AtLimit at_limit(watchdog, end_at_limit);
   const Checked checked = check(session.program, session.search, options.deep);
   const auto lock = watchdog.delivering();
+  if (!options.quiet) {
+    for (const Diagnostic& warning : checked.warnings) tell(warning.text);
+  }
   if (!checked.errors.empty()) return watchdog.conclude(report(checked.errors));
   if (!checked.complete) return watchdog.conclude(end_at_limit());
   if (!options.quiet) tell(fmt::format("{}: {}\n", options.script, summary(checked)));

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numeric>
+#include <utility>
 
 namespace solitaire {
 namespace {
 
-constexpr std::size_t kMostDiagnostics = 20;
 constexpr std::size_t kWidestLine = 160;
 
-/// The source line with tabs as single spaces, so that the caret stands below what it means.
+/// Returns the start of a line with tabs as single spaces, so that the caret stands below what it means.
 std::string shown_line(std::string_view line) {
   std::string shown(line.substr(0, kWidestLine));
   for (char& c : shown) {
@@ -19,45 +18,43 @@ std::string shown_line(std::string_view line) {
   return shown;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> previous(b.size() + 1);
-  std::iota(previous.begin(), previous.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::vector<std::size_t> row{i + 1};
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      row.push_back(std::min({previous[j + 1] + 1, row[j] + 1, previous[j] + (a[i] == b[j] ? 0U : 1U)}));
-    }
-    previous = std::move(row);
+const char* word_of(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return "error";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kNote:
+      return "note";
   }
-  return previous.back();
+  return "";
 }
 
-bool same_letters(std::string a, std::string b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a == b;
+/// Returns the line that the span starts in, and below it carets under the part that the span covers.
+std::string quoted(Span span, const SourceSet& sources) {
+  const Source& source = sources[span.source];
+  const Position at = source.position(span.begin);
+  if (at.column > kWidestLine) return "";
+  const std::string_view line = source.line(at.line);
+  const std::size_t left = count_characters(line) + 1 - std::min(count_characters(line) + 1, at.column);
+  const std::size_t wanted = count_characters(sources.text(span));
+  const std::size_t carets = std::max<std::size_t>(1, std::min({wanted, left, kWidestLine - at.column + 1}));
+  const std::string number = std::to_string(at.line);
+  return fmt::format("  {} | {}\n  {:{}} | {:{}}{}\n", number, shown_line(line), "", number.size(), "",
+                     at.column - 1, std::string(carets, '^'));
 }
 
 }  // namespace
 
-std::string format(const Diagnostic& diagnostic, const SourceSet& sources, const std::string& severity) {
-  const Span span = diagnostic.span;
-  const Source& source = sources[span.source];
-  const Position at = source.position(span.begin);
-  const std::string_view line = source.line(at.line);
-  const std::string number = std::to_string(at.line);
+std::string format(const Diagnostic& diagnostic, const SourceSet& sources) {
+  return format(diagnostic, sources, word_of(diagnostic.severity));
+}
 
-  std::string text =
-      fmt::format("{}:{}:{}: {}: {}\n", source.name(), at.line, at.column, severity, diagnostic.message);
-  if (at.column <= kWidestLine) {
-    const std::size_t left = count_characters(line) + 1 - std::min(count_characters(line) + 1, at.column);
-    const std::size_t wanted = count_characters(sources.text(span));
-    const std::size_t carets =
-        std::max<std::size_t>(1, std::min({wanted, left, kWidestLine - at.column + 1}));
-    text += fmt::format("  {} | {}\n", number, shown_line(line));
-    text +=
-        fmt::format("  {:{}} | {:{}}{}\n", "", number.size(), "", at.column - 1, std::string(carets, '^'));
-  }
+std::string format(const Diagnostic& diagnostic, const SourceSet& sources, const std::string& word) {
+  std::string text = fmt::format("{}: {}: {}\n", sources.place(diagnostic.span), word, diagnostic.message);
+  text += quoted(diagnostic.span, sources);
+  for (const RelatedPlace& place : diagnostic.related)
+    text += fmt::format("  note: {}: {}\n", sources.place(place.span), place.message);
   for (const std::string& note : diagnostic.notes) text += fmt::format("  note: {}\n", note);
   if (!diagnostic.help.empty()) text += fmt::format("  help: {}\n", diagnostic.help);
   return text;
@@ -66,47 +63,20 @@ std::string format(const Diagnostic& diagnostic, const SourceSet& sources, const
 ProgramError::ProgramError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(diagnostics.front().message), diagnostics_(std::move(diagnostics)) {}
 
-void Diagnostics::add(Span span, std::string message, std::string help) {
-  if (list_.size() >= kMostDiagnostics) return;
-  list_.push_back({span, std::move(message), std::move(help), {}});
+void Diagnostics::add(Diagnostic diagnostic) {
+  if (!is_full()) list_.push_back(std::move(diagnostic));
 }
 
-void Diagnostics::raise_if_any() const {
-  if (list_.empty()) return;
+void Diagnostics::add(const std::string& code, Span span, std::string message, std::string help) {
+  add({span, std::move(message), std::move(help), {}, Severity::kError, code, {}});
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const {
   std::vector<Diagnostic> sorted = list_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.span.source, a.span.begin) < std::pair(b.span.source, b.span.begin);
   });
-  throw ProgramError(std::move(sorted));
-}
-
-std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
-  std::string best;
-  std::size_t best_distance = name.size() <= 3 ? 2 : 3;  // only what is nearer than this
-  for (const std::string& candidate : candidates) {
-    std::size_t distance = edit_distance(name, candidate);
-    if (distance == 2 && same_letters(std::string(name), candidate)) distance = 1;  // two letters swapped
-    if (distance < best_distance && distance < candidate.size()) {
-      best = candidate;
-      best_distance = distance;
-    }
-  }
-  return best;
-}
-
-std::vector<std::string> nearest_names(std::string_view name, std::vector<std::string> candidates,
-                                       std::size_t count) {
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  std::vector<std::pair<std::size_t, std::string>> ranked;
-  for (std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(std::string(name), candidate);
-    ranked.emplace_back(distance, std::move(candidate));
-  }
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<std::string> nearest;
-  for (std::size_t i = 0; i < std::min(count, ranked.size()); ++i) nearest.push_back(ranked[i].second);
-  return nearest;
+  return sorted;
 }
 
 }  // namespace solitaire

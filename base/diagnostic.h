@@ -1,11 +1,24 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/source.h"
+#include "base/span.h"
 
 namespace solitaire {
+
+/// How much a diagnostic matters. A program with an error cannot be run; a warning points at what is allowed
+/// and hardly meant; a note tells what may be good to know.
+enum class Severity : std::uint8_t { kError, kWarning, kNote };
+
+/// A further place that a diagnostic speaks of, such as where the other definition stands.
+struct RelatedPlace {
+  Span span;
+  std::string message;
+};
 
 /// Something to tell the author about a place in the program.
 struct Diagnostic {
@@ -13,18 +26,24 @@ struct Diagnostic {
   std::string message;             // what is wrong
   std::string help;                // what to do about it, or ""
   std::vector<std::string> notes;  // such as the calls that led here
+  Severity severity = Severity::kError;
+  /// Names the kind of the diagnostic for tools, such as "unknown-name"; it stays the same when messages are
+  /// reworded. Empty for what is found while the program runs.
+  std::string code = "";
+  std::vector<RelatedPlace> related = {};
 };
 
-/// The diagnostic as text:
+/// Returns the diagnostic as text:
 ///
 ///     file.sol:3:10: error: there is no 'widht'
 ///       3 |     return Obj("table", widht, height);
 ///         |                         ^^^^^
 ///       help: did you mean 'width'?
-std::string format(const Diagnostic& diagnostic, const SourceSet& sources,
-                   const std::string& severity = "error");
+std::string format(const Diagnostic& diagnostic, const SourceSet& sources);
+/// Returns the text with another word in the place of "error".
+std::string format(const Diagnostic& diagnostic, const SourceSet& sources, const std::string& word);
 
-/// Mistakes in a program: one, or several where reporting them together is safe.
+/// Errors in a program: one, or several where reporting them together is safe.
 class ProgramError : public std::runtime_error {
  public:
   explicit ProgramError(std::vector<Diagnostic> diagnostics);
@@ -36,24 +55,23 @@ class ProgramError : public std::runtime_error {
   std::vector<Diagnostic> diagnostics_;
 };
 
-/// Collects diagnostics while going on, up to a number after which more would not help anybody.
+/// Collects diagnostics while the work goes on. Further ones than kMost are dropped, as they would help
+/// nobody.
 class Diagnostics {
  public:
-  void add(Span span, std::string message, std::string help = "");
+  static constexpr std::size_t kMost = 100;
+
+  void add(Diagnostic diagnostic);
+  /// Adds an error.
+  void add(const std::string& code, Span span, std::string message, std::string help = "");
   bool empty() const { return list_.empty(); }
+  bool is_full() const { return list_.size() >= kMost; }
   const std::vector<Diagnostic>& list() const { return list_; }
-  /// Throws ProgramError, in the order of the source, if there is any diagnostic.
-  void raise_if_any() const;
+  /// Returns all of them in the order of the sources.
+  std::vector<Diagnostic> sorted() const;
 
  private:
   std::vector<Diagnostic> list_;
 };
-
-/// The candidate that `name` was probably meant to be, or "": a few letters changed, missing or swapped.
-std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
-
-/// At most so many of the candidates, those most alike first.
-std::vector<std::string> nearest_names(std::string_view name, std::vector<std::string> candidates,
-                                       std::size_t count);
 
 }  // namespace solitaire

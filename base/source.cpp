@@ -1,21 +1,10 @@
 #include "base/source.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
-
-#include "base/file_error.h"
+#include <utility>
 
 namespace solitaire {
-namespace {
-
-/// Spans are 32 bits; no script that a person or a tool writes comes near this.
-constexpr std::size_t kLargestSource = std::size_t{64} << 20;
-
-}  // namespace
 
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_starts_{0} {
@@ -51,21 +40,6 @@ std::string SourceSet::place(Span span) const {
   const Source& source = sources_[span.source];
   const Position at = source.position(span.begin);
   return fmt::format("{}:{}:{}", source.name(), at.line, at.column);
-}
-
-std::string read_source(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) throw FileError(path.string(), "is a folder, not a script");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path.string(), std::strerror(errno));
-  std::string text;
-  std::array<char, 4096> block;
-  while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kLargestSource)
-      throw FileError(path.string(), "is larger than a script can be (64 MiB)");
-  }
-  if (file.bad()) throw FileError(path.string(), std::strerror(errno));
-  return text;
 }
 
 std::size_t count_characters(std::string_view utf8) {

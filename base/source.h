@@ -1,11 +1,11 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <deque>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/file_error.h"
 #include "base/span.h"
 
 namespace solitaire {
@@ -23,8 +23,9 @@ class Source {
 
   const std::string& name() const { return name_; }
   std::string_view text() const { return text_; }
+  /// Returns the position of a byte; an offset behind the text is at its end.
   Position position(std::uint32_t offset) const;
-  /// The line's text without its end; lines count from 1.
+  /// Returns a line's text without its end; lines count from 1.
   std::string_view line(std::size_t number) const;
 
  private:
@@ -41,17 +42,14 @@ class SourceSet {
   std::size_t size() const { return sources_.size(); }
 
   std::string_view text(Span span) const;
-  /// "file.sol:12:3"
+  /// Returns where a span starts: "file.sol:12:3".
   std::string place(Span span) const;
 
  private:
   std::deque<Source> sources_;  // a deque, so that views of the texts stay valid
 };
 
-/// Reads a whole file. Throws FileError if it cannot be read or is larger than a script can be.
-std::string read_source(const std::filesystem::path& path);
-
-/// How many characters of UTF-8 text, and not bytes, there are; broken bytes count as one each.
+/// Counts the characters, not the bytes, of UTF-8 text; broken bytes count as one each.
 std::size_t count_characters(std::string_view utf8);
 
 }  // namespace solitaire

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "solitaire/names/program.h"
+#include "solitaire/names/analyze.h"
 #include "solitaire/run/evaluator.h"
 
 namespace solitaire {

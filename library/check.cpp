@@ -11,6 +11,7 @@ Checked check(const Program& program, const Options& options, bool deep) {
   TracingEngine engine(parsed, values_of_params(program.state(), program.settings()),
                        engine_options(options));
   Checked checked;
+  checked.warnings = public_diagnostics(parsed.warnings, parsed.sources);
   return translated(parsed.sources, [&] {
     try {
       if (deep) {

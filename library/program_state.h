@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engines/solve/background_search.h"
+#include "solitaire/names/analyze.h"
 #include "solitaire/names/program.h"
 #include "solitaire/run/evaluator.h"
 

@@ -446,6 +446,17 @@ TEST_CASE("cli: check --deep finds the mistakes that some choices lead to, and s
   CHECK(run_solitaire({"check", fine, "--deep"}).status == 0);
 }
 
+TEST_CASE("cli: check shows warnings, which change nothing about the status") {
+  const Workplace place;
+  const std::string script = place.file("odd.sol", "fun f() { return 1; return 2; }\nreturn f();\n");
+  const Outcome outcome = run_solitaire({"check", script});
+  CHECK(outcome.status == 0);
+  CHECK(has(outcome.err, "odd.sol:1:21: warning: this is never reached"));
+  CHECK(has(outcome.err, "odd.sol:1:11: control does not come past this"));
+  CHECK(run_solitaire({"check", script, "--quiet"}).err == "");
+  CHECK(!has(run_solitaire({"solve", script}).err, "warning"));
+}
+
 TEST_CASE("cli: --resume goes on with an earlier run, and refuses one that was another") {
   const Workplace place;
   const std::string script = place.file("scene.sol", kScene);

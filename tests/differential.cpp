@@ -13,6 +13,7 @@
 #include "engines/distinct.h"
 #include "engines/exhaustive/exhaustive.h"
 #include "engines/solve/tracing.h"
+#include "solitaire/names/analyze.h"
 
 namespace solitaire {
 namespace {

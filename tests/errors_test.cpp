@@ -268,6 +268,7 @@ TEST_CASE("errors: imports that are missing, circular, or wrong themselves") {
                          {"a.sol", "import \"b.sol\";"},
                          {"b.sol", "import \"a.sol\";"}}) ==
         "b.sol:1:1: error: 'a.sol' is imported in a circle\n  1 | import \"a.sol\";\n    | ^^^^^^^^^^^^^^^\n"
+        "  note: a.sol:1:1: the circle leads through here\n"
         "  help: move what both files need into a third one\n");
   CHECK(first_line(report_on_files({{"main.sol", "import \"main.sol\";"}})) ==
         "main.sol:1:1: error: 'main.sol' is imported in a circle");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "engines/solve/tracing.h"
+#include "solitaire/names/analyze.h"
 #include "tests/explain_check.h"
 #include "tests/generator/program_generator.h"
 

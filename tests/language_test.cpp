@@ -19,6 +19,7 @@
 #include <optional>
 #include <sstream>
 
+#include "base/file_provider.h"
 #include "tests/program_run.h"
 
 namespace solitaire {

@@ -1,8 +1,10 @@
-// Whatever the bytes are, a tree comes out whose spans lie within them; resolving it may only find mistakes.
+// Whatever the bytes are, a tree comes out whose spans lie within them, and analyzing them finds errors at
+// most.
 #include <cstdio>
 #include <cstdlib>
 
-#include "solitaire/names/program.h"
+#include "solitaire/names/analyze.h"
+#include "solitaire/names/symbols.h"
 #include "tests/tree_check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -11,11 +13,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::fprintf(stderr, "%s\n", fault.c_str());
     std::abort();
   }
-  solitaire::SourceSet sources;
-  try {
-    solitaire::load_program_text("fuzz.sol", text, {}, sources);
-  } catch (const solitaire::ProgramError& error) {
-    for (const auto& diagnostic : error.diagnostics()) solitaire::format(diagnostic, sources);
-  }
+  solitaire::BufferedFiles files;
+  files.set("fuzz.sol", text);
+  const solitaire::Analysis analysis = solitaire::analyze(files, "fuzz.sol", {});
+  for (const auto& diagnostic : analysis.diagnostics) format(diagnostic, analysis.program.sources);
+  const solitaire::SymbolTable symbols(analysis.program);
+  for (std::uint32_t at = 0; at < size; at += 1 + static_cast<std::uint32_t>(size) / 16)
+    symbols.names_in_scope_at(0, at);
   return 0;
 }

@@ -1,68 +1,13 @@
 // The parser takes whatever it is given: a formatter and a language server stand on its trees.
-#include <algorithm>
 #include <doctest/doctest.h>
-#include <filesystem>
 #include <random>
 
-#include "solitaire/names/program.h"
+#include "solitaire/names/analyze.h"
+#include "tests/scripts.h"
 #include "tests/tree_check.h"
 
 namespace solitaire {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// All .sol files of the project, in a fixed order.
-std::vector<std::string> all_scripts() {
-  std::vector<fs::path> paths;
-  for (const char* folder : {"examples", "solitaire/std", "tests"}) {
-    if (!fs::is_directory(fs::path(SOLITAIRE_SOURCE_DIR) / folder)) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOLITAIRE_SOURCE_DIR) / folder)) {
-      if (entry.path().extension() == ".sol") paths.push_back(entry.path());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  std::vector<std::string> texts;
-  for (const fs::path& path : paths) texts.push_back(read_source(path));
-  return texts;
-}
-
-constexpr const char* kPieces[] = {"(",     ")",     "[",      "]",      "{",    "}",        ";",     ",",
-                                   ":",     "..",    "=",      "==",     "+",    "-",        "not",   "and",
-                                   "if",    "then",  "else",   "for",    "in",   "fun",      "x",     "\"",
-                                   "/*",    "*/",    "//",     "0",      "1.5",  "record",   "param", ".",
-                                   "while", "break", "return", "import", "\xff", "\xe2\x82", "\n",    "\t"};
-
-/// One to four cuts, doublings, swaps and insertions.
-std::string mutated(std::string text, const std::vector<std::string>& others, std::mt19937_64& random) {
-  const auto below = [&](std::size_t bound) { return bound == 0 ? 0 : random() % bound; };
-  for (auto changes = 1 + below(4); changes > 0; --changes) {
-    const std::size_t at = below(text.size());
-    const std::size_t length = 1 + below(below(8) == 0 ? 200 : 6);
-    switch (below(6)) {
-      case 0:
-        text.erase(std::min(at, text.size()), length);
-        break;
-      case 1:
-        text.insert(at, kPieces[below(std::size(kPieces))]);
-        break;
-      case 2:
-        text.insert(below(text.size()), text.substr(at, length));
-        break;
-      case 3:
-        text.resize(at);
-        break;
-      case 4:
-        if (!text.empty()) text[at] = static_cast<char>(random());
-        break;
-      default: {
-        const std::string& other = others[below(others.size())];
-        text.insert(at, other.substr(below(other.size()), length * 10));
-      }
-    }
-  }
-  return text;
-}
 
 TEST_CASE("parser: a tree comes out of every script of the project") {
   for (const std::string& text : all_scripts()) CHECK(tree_fault(text) == "");
@@ -99,7 +44,7 @@ TEST_CASE("parser: short texts of every kind of token, in any order") {
   for (int i = 0; i < 30000; ++i) {
     std::string text;
     for (auto count = 1 + random() % 12; count > 0; --count) {
-      text += kPieces[random() % std::size(kPieces)];
+      text += random_piece(random);
       if (random() % 2 == 0) text += ' ';
     }
     INFO("in: ", text);

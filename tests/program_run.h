@@ -5,6 +5,7 @@
 
 #include "engines/exhaustive/exhaustive.h"
 #include "engines/solve/tracing.h"
+#include "solitaire/names/analyze.h"
 
 namespace solitaire {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "solitaire/value/value.h"
 
 namespace solitaire {

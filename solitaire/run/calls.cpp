@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "solitaire/run/walk.h"
 
 namespace solitaire {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "solitaire/syntax/parser.h"
 
 namespace solitaire {

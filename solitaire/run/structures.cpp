@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
+
 namespace solitaire {
 namespace {
 

@@ -12,49 +12,7 @@
 namespace solitaire {
 namespace {
 
-using Spelling = std::pair<std::string_view, TokenKind>;
-
-constexpr std::array kKeywords = {
-    Spelling{"and", TokenKind::kAnd},
-    Spelling{"break", TokenKind::kBreak},
-    Spelling{"continue", TokenKind::kContinue},
-    Spelling{"else", TokenKind::kElse},
-    Spelling{"false", TokenKind::kFalse},
-    Spelling{"for", TokenKind::kFor},
-    Spelling{"fun", TokenKind::kFun},
-    Spelling{"if", TokenKind::kIf},
-    Spelling{"import", TokenKind::kImport},
-    Spelling{"in", TokenKind::kIn},
-    Spelling{"nil", TokenKind::kNil},
-    Spelling{"not", TokenKind::kNot},
-    Spelling{"or", TokenKind::kOr},
-    Spelling{"param", TokenKind::kParam},
-    Spelling{"record", TokenKind::kRecord},
-    Spelling{"return", TokenKind::kReturn},
-    Spelling{"then", TokenKind::kThen},
-    Spelling{"true", TokenKind::kTrue},
-    Spelling{"while", TokenKind::kWhile},
-};
-
-/// Longer ones first, so that "==" is not read as two "=".
-constexpr std::array kPunctuation = {
-    Spelling{"..", TokenKind::kDotDot},      Spelling{"+=", TokenKind::kPlusAssign},
-    Spelling{"-=", TokenKind::kMinusAssign}, Spelling{"*=", TokenKind::kStarAssign},
-    Spelling{"/=", TokenKind::kSlashAssign}, Spelling{"%=", TokenKind::kPercentAssign},
-    Spelling{"==", TokenKind::kEqual},       Spelling{"!=", TokenKind::kNotEqual},
-    Spelling{"<=", TokenKind::kLessEqual},   Spelling{">=", TokenKind::kGreaterEqual},
-    Spelling{"(", TokenKind::kLeftParen},    Spelling{")", TokenKind::kRightParen},
-    Spelling{"[", TokenKind::kLeftBracket},  Spelling{"]", TokenKind::kRightBracket},
-    Spelling{"{", TokenKind::kLeftBrace},    Spelling{"}", TokenKind::kRightBrace},
-    Spelling{",", TokenKind::kComma},        Spelling{";", TokenKind::kSemicolon},
-    Spelling{":", TokenKind::kColon},        Spelling{".", TokenKind::kDot},
-    Spelling{"=", TokenKind::kAssign},       Spelling{"<", TokenKind::kLess},
-    Spelling{">", TokenKind::kGreater},      Spelling{"+", TokenKind::kPlus},
-    Spelling{"-", TokenKind::kMinus},        Spelling{"*", TokenKind::kStar},
-    Spelling{"/", TokenKind::kSlash},        Spelling{"%", TokenKind::kPercent},
-};
-
-/// What authors of other languages type, what it is called here, and what it is read as.
+/// A spelling of other languages: what to write instead, and the token that it is read as.
 struct Foreign {
   std::string_view spelling;
   std::string_view help;
@@ -72,6 +30,16 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_name_part(char c) { return is_name_start(c) || is_digit(c); }
 
+/// Returns true if a text starts with the byte order mark of UTF-16, or with two characters of ASCII in
+/// UTF-16, which are bytes of which every other one is zero.
+bool is_utf16(std::string_view text) {
+  const std::string_view start = text.substr(0, 4);
+  if (start.substr(0, 2) == "\xFF\xFE" || start.substr(0, 2) == "\xFE\xFF") return true;
+  if (start.size() < 4) return false;
+  const auto zeros = [&](std::size_t first) { return start[first] == '\0' && start[first + 2] == '\0'; };
+  return zeros(0) != zeros(1);
+}
+
 class Lexer {
  public:
   Lexer(std::string_view text, std::uint32_t source, Diagnostics& diagnostics)
@@ -81,6 +49,10 @@ class Lexer {
 
   TokenList run() {
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
+    if (is_utf16(text_)) {
+      diagnostics_.add("not-utf8", span(), "this file is UTF-16, and a script is UTF-8", "save it as UTF-8");
+      at_ = text_.size();
+    }
     while (skip_blank()) {
       start_ = at_;
       read_token();
@@ -102,7 +74,7 @@ class Lexer {
     return result_.tokens.back();
   }
 
-  /// Goes to the next token, keeping comments; false at the end.
+  /// Goes to the next token and keeps the comments on the way. Returns false at the end of the text.
   bool skip_blank() {
     while (at_ < text_.size()) {
       if (starts_with("//")) {
@@ -114,7 +86,7 @@ class Lexer {
         const std::size_t close = text_.find("*/", at_ + 2);
         if (close == std::string_view::npos) {
           at_ += 2;
-          diagnostics_.add(span(), "this comment has no end", "close it with */");
+          diagnostics_.add("unclosed-comment", span(), "this comment has no end", "close it with */");
           at_ = text_.size();
         } else {
           at_ = close + 2;
@@ -133,20 +105,18 @@ class Lexer {
     if (is_name_start(peek())) return read_name();
     if (is_digit(peek())) return read_number();
     if (peek() == '"') return read_string();
-    for (const auto& [spelling, kind] : kPunctuation) {
-      if (!starts_with(spelling)) continue;
-      at_ += spelling.size();
-      push(kind);
-      return;
-    }
-    read_foreign();
+    const auto punctuation = find_punctuation(text_.substr(at_));
+    if (!punctuation) return read_foreign();
+    at_ += punctuation->length;
+    push(punctuation->kind);
   }
 
   void read_foreign() {
     for (const auto& [spelling, help, kind] : kForeign) {
       if (!starts_with(spelling)) continue;
       at_ += spelling.size();
-      diagnostics_.add(span(), fmt::format("'{}' is not used in this language", spelling), std::string(help));
+      diagnostics_.add("foreign-syntax", span(), fmt::format("'{}' is not used in this language", spelling),
+                       std::string(help));
       return read_as(kind);
     }
     do ++at_;
@@ -154,12 +124,12 @@ class Lexer {
     const unsigned char first = static_cast<unsigned char>(text_[start_]);
     const std::string shown = first < 0x20 || first == 0x7F ? fmt::format("\\x{:02x}", first)
                                                             : std::string(text_.substr(start_, at_ - start_));
-    diagnostics_.add(span(), fmt::format("unexpected character '{}'", shown));
+    diagnostics_.add("unexpected-character", span(), fmt::format("unexpected character '{}'", shown));
   }
 
   /// Reads on as what a foreign token stands for, so that nothing more is reported about it.
   void read_as(TokenKind kind) {
-    if (kind == TokenKind::kEnd) {  // of the line: a comment
+    if (kind == TokenKind::kEnd) {  // a comment, up to the end of the line
       at_ = std::min(text_.find('\n', at_), text_.size());
       return;
     }
@@ -173,13 +143,11 @@ class Lexer {
   void read_name() {
     while (is_name_part(peek())) ++at_;
     const std::string_view name = text_.substr(start_, at_ - start_);
-    for (const auto& [spelling, kind] : kKeywords) {
-      if (name.front() == spelling.front() && name == spelling) {
-        push(kind);
-        return;
-      }
+    if (const auto keyword = find_keyword(name)) {
+      push(*keyword);
+    } else {
+      push(TokenKind::kName).text = std::string(name);
     }
-    push(TokenKind::kName).text = std::string(name);
   }
 
   void skip_digits() {
@@ -202,7 +170,8 @@ class Lexer {
     }
     if (is_name_start(peek())) {
       while (is_name_part(peek())) ++at_;
-      diagnostics_.add(span(), "a number runs into a name", "put a space or an operator between them");
+      diagnostics_.add("bad-number", span(), "a number runs into a name",
+                       "put a space or an operator between them");
     }
     is_float ? push_float() : push_int();
   }
@@ -211,7 +180,7 @@ class Lexer {
     double value = 0;
     const auto [end, error] = std::from_chars(text_.data() + start_, text_.data() + at_, value);
     if (error != std::errc{} || !std::isfinite(value))
-      diagnostics_.add(span(), "this number is too large or too small for a float");
+      diagnostics_.add("bad-number", span(), "this number is too large or too small for a float");
     push(TokenKind::kFloat).float_value = value;
   }
 
@@ -219,7 +188,8 @@ class Lexer {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text_.data() + start_, text_.data() + at_, value);
     if (error == std::errc::result_out_of_range || !is_exact(value)) {
-      diagnostics_.add(span(), "this int is past 62 bits", "ints lie between -(2^62 - 1) and 2^62 - 1");
+      diagnostics_.add("bad-number", span(), "this int is past 62 bits",
+                       "ints lie between -(2^62 - 1) and 2^62 - 1");
       value = 0;
     }
     push(TokenKind::kInt).int_value = value;
@@ -230,7 +200,8 @@ class Lexer {
     ++at_;
     while (peek() != '"') {
       if (at_ >= text_.size() || peek() == '\n') {
-        diagnostics_.add(span(), "this string has no end", "close it with \" on the same line");
+        diagnostics_.add("unclosed-string", span(), "this string has no end",
+                         "close it with \" on the same line");
         push(TokenKind::kString).text = std::move(contents);
         return;
       }
@@ -256,7 +227,8 @@ class Lexer {
     }
     const Span escape{source_, static_cast<std::uint32_t>(at_),
                       static_cast<std::uint32_t>(std::min(at_ + 2, text_.size()))};
-    diagnostics_.add(escape, "unknown escape in a string", "there are \\n, \\t, \\\" and \\\\");
+    diagnostics_.add("unknown-escape", escape, "unknown escape in a string",
+                     "there are \\n, \\t, \\\" and \\\\");
     ++at_;
   }
 
@@ -272,29 +244,6 @@ class Lexer {
 
 TokenList tokenize(const SourceSet& sources, std::uint32_t source, Diagnostics& diagnostics) {
   return Lexer(sources[source].text(), source, diagnostics).run();
-}
-
-std::string describe(TokenKind kind) {
-  switch (kind) {
-    case TokenKind::kEnd:
-      return "the end of the file";
-    case TokenKind::kInt:
-    case TokenKind::kFloat:
-      return "a number";
-    case TokenKind::kString:
-      return "a string";
-    case TokenKind::kName:
-      return "a name";
-    default:
-      break;
-  }
-  for (const auto& [spelling, keyword] : kKeywords) {
-    if (keyword == kind) return fmt::format("'{}'", spelling);
-  }
-  for (const auto& [spelling, punctuation] : kPunctuation) {
-    if (punctuation == kind) return fmt::format("'{}'", spelling);
-  }
-  return "a token";
 }
 
 }  // namespace solitaire

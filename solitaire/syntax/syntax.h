@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "base/span.h"
+#include "solitaire/syntax/token.h"
 
-// The syntax tree. Every node has its exact span; comments are kept beside the tree. What the resolver finds
-// out about a node (slots, labels) stands in the node's last members, each named in resolver.h.
+// The syntax tree. Every node has its exact span; tokens and comments are kept beside the tree. What the
+// resolver finds out about a node (slots, labels) stands in the node's last members, each named in
+// resolver.h.
 
 namespace solitaire {
 
@@ -19,7 +21,7 @@ struct Function;
 using ExprPtr = std::unique_ptr<Expr>;
 using StmtPtr = std::unique_ptr<Stmt>;
 
-/// A place for a variable's value in its function's frame.
+/// The number of a variable in its function's frame.
 using Slot = std::uint32_t;
 
 /// What a name stands for.
@@ -67,7 +69,8 @@ struct Expr {
 
   ExprKind kind;
   Span span;
-  int height = 1;  // of the tree below; bounded, so that walking it cannot exhaust the stack
+  Span parentheses = {};  // of the outermost ( ) around the expression; empty if there are none
+  int height = 1;         // of the tree below; bounded, so that walking it cannot exhaust the stack
 };
 
 struct LiteralExpr : Expr {
@@ -126,7 +129,7 @@ struct LogicalExpr : Expr {
   Span op_span;
   ExprPtr left, right;
   Site site;
-  std::vector<Slot> assigned;  // as of a comprehension, in its right side
+  std::vector<Slot> assigned;  // see ComprehensionExpr; of the right side
 };
 
 struct Argument {
@@ -152,14 +155,14 @@ struct FieldExpr : Expr {
   ExprPtr object;
   std::string field;
   Span field_span;
-  std::uint32_t number = 0;  // of the name, see Program::field_names
+  std::uint32_t number = 0;  // the number of the name in Program::field_names
 };
 
 struct IfExpr : Expr {
   explicit IfExpr(Span where) : Expr(ExprKind::kIf, where) {}
   ExprPtr condition, then_value, else_value;
   Site site;
-  std::vector<Slot> assigned;  // as of a comprehension, in either side
+  std::vector<Slot> assigned;  // see ComprehensionExpr; of either side
 };
 
 struct FunctionExpr : Expr {
@@ -168,7 +171,7 @@ struct FunctionExpr : Expr {
   std::unique_ptr<Function> function;
 };
 
-/// A variable that a for or a comprehension gives its values to.
+/// A variable that a loop or a comprehension sets in each turn.
 struct LoopVariable {
   std::string name;
   Span span;
@@ -189,10 +192,10 @@ struct ComprehensionExpr : Expr {
   explicit ComprehensionExpr(Span where) : Expr(ExprKind::kComprehension, where) {}
   ExprPtr element;
   std::vector<ComprehensionClause> clauses;  // at least one
-  std::vector<Slot> assigned;                // its variables that inner functions read, who may do so later
+  std::vector<Slot> assigned;  // the variables that inner functions read, as they may do so later
 };
 
-/// Stands where an expression could not be read; only in trees that come with errors.
+/// Stands where an expression is missing or could not be read; only in trees that come with errors.
 struct ErrorExpr : Expr {
   explicit ErrorExpr(Span where) : Expr(ExprKind::kError, where) {}
 };
@@ -223,11 +226,11 @@ struct Stmt {
   Span span;
 };
 
-/// `a, b = x, y;`, `t.x += 1;` and, as declares_function, `fun f() { ... }`.
+/// `a, b = x, y;` and `t.x += 1;`. A function `fun f() { ... }` is an assignment with declares_function.
 struct AssignStmt : Stmt {
   explicit AssignStmt(Span where) : Stmt(StmtKind::kAssign, where) {}
   std::vector<ExprPtr> targets;  // names, indices and fields of names
-  std::optional<BinaryOp> op;    // of += and the like; then there is one target and one value
+  std::optional<BinaryOp> op;    // set for += and the like, which have one target and one value
   Span op_span;
   std::vector<ExprPtr> values;  // as many as targets, or one
   bool declares_function = false;
@@ -285,25 +288,25 @@ struct Parameter {
 
 /// A function, or the top level of a file.
 struct Function {
-  std::string name;  // "" if it never got one
+  std::string name;  // "" if it has none
   Span span;
   std::vector<Parameter> parameters;  // the first slots of the frame, in this order
   std::unique_ptr<BlockStmt> body;
 
   std::vector<std::string> slots;  // the variables' names
-  bool captured = false;           // whether an inner function can read its variables after it returned
+  bool captured = false;           // true if an inner function can read its variables after it returned
 };
 
 inline FunctionExpr::FunctionExpr(Span where) : Expr(ExprKind::kFunction, where) {}
 inline FunctionExpr::~FunctionExpr() = default;
 
-/// `record Obj(kind, x, y = 0);`: its constructor's parameters are its fields.
+/// `record Obj(kind, x, y = 0);`. The fields are also the constructor's parameters.
 struct RecordStmt : Stmt {
   explicit RecordStmt(Span where) : Stmt(StmtKind::kRecord, where) {}
   std::string name;
   Span name_span;
   std::vector<Parameter> fields;
-  std::vector<std::uint32_t> numbers;  // of the fields' names, see Program::field_names
+  std::vector<std::uint32_t> numbers;  // the numbers of the fields' names in Program::field_names
   Slot slot = 0;
 };
 
@@ -319,17 +322,24 @@ struct ImportStmt : Stmt {
   explicit ImportStmt(Span where) : Stmt(StmtKind::kImport, where) {}
   std::string path;
   Span path_span;
-  std::uint32_t module = 0;
+  bool is_complete = true;  // false if the file is not named
+  static constexpr std::uint32_t kNoModule = UINT32_MAX;
+  std::uint32_t module = kNoModule;  // kNoModule if it could not be imported
 };
 
+/// Stands where a statement could not be read; only in trees that come with errors.
 struct ErrorStmt : Stmt {
   explicit ErrorStmt(Span where) : Stmt(StmtKind::kError, where) {}
 };
 
-/// One file: its top level as a function without parameters, and its comments.
+/// One file: its top level as a function without parameters, and what tools need of the text around it.
 struct SyntaxTree {
   std::unique_ptr<Function> top;
+  std::vector<Token> tokens;  // the last one is kEnd
   std::vector<Span> comments;
+  /// The names in the stretches of text that were skipped after errors, sorted. They may have been defined
+  /// there.
+  std::vector<std::string> skipped_names;
 };
 
 }  // namespace solitaire

@@ -12,6 +12,7 @@ namespace solitaire::api {
 /// The result of a look for mistakes.
 struct Checked {
   std::vector<Diagnostic> errors;
+  std::vector<Diagnostic> warnings;  // what the text allows and hardly means
   bool complete = true;  // all that was asked for was looked into; false where a limit came first
   /// The size of the trace: choices, conditions, placed things, nodes, and branch sides that were not looked
   /// into.

@@ -17,6 +17,7 @@ struct Diagnostic {
   std::string help;                          // what to do about it, or ""
   std::vector<std::string> notes;            // such as the calls that led here
   std::string text;  // all of this on several lines, with the line of the program and a caret
+  std::string code;  // the kind of error, such as "unknown-name"; "" for what is found by running
 };
 
 /// Every error of this library, except std::bad_alloc where there is no more memory.

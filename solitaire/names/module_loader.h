@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/file_provider.h"
+#include "solitaire/names/program.h"
+
+namespace solitaire {
+
+struct LoadOptions {
+  /// Where imports are looked for that are not found beside the importing file; holds std/.
+  std::vector<std::filesystem::path> library_folders;
+};
+
+/// Reads and parses a script and what it imports, each file once, into an empty program. Files that are
+/// missing, cannot be read, or import each other in a circle are reported. Returns the modules in the order
+/// in which their names can be resolved: imported ones first.
+std::vector<std::uint32_t> load_modules(const FileProvider& files, const std::filesystem::path& script,
+                                        const LoadOptions& options, Program& program,
+                                        Diagnostics& diagnostics);
+
+}  // namespace solitaire
