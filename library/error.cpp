@@ -12,7 +12,8 @@ Diagnostic public_diagnostic(const solitaire::Diagnostic& diagnostic, const Sour
   const Position end = source.position(diagnostic.span.end);
   return {source.name(),   begin.line,       begin.column,
           end.line,        end.column,       diagnostic.message,
-          diagnostic.help, diagnostic.notes, format(diagnostic, sources), diagnostic.code};
+          diagnostic.help, diagnostic.notes, format(diagnostic, sources),
+          diagnostic.code};
 }
 
 std::string text_of(const std::vector<Diagnostic>& diagnostics) {

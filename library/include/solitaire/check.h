@@ -13,7 +13,7 @@ namespace solitaire::api {
 struct Checked {
   std::vector<Diagnostic> errors;
   std::vector<Diagnostic> warnings;  // what the text allows and hardly means
-  bool complete = true;  // all that was asked for was looked into; false where a limit came first
+  bool complete = true;              // all that was asked for was looked into; false where a limit came first
   /// The size of the trace: choices, conditions, placed things, nodes, and branch sides that were not looked
   /// into.
   std::size_t choices = 0, conditions = 0, placed = 0, nodes = 0, closed = 0;
