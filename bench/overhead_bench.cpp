@@ -6,9 +6,11 @@
 
 #include "bench/programs.h"
 #include "engines/solve/tracing.h"
+#include "library/freeze.h"
+#include "library/scene_of.h"
 #include "scene/assets.h"
-#include "scene/gltf.h"
-#include "scene/plan.h"
+#include "scene/gltf/writer.h"
+#include "scene/page/plan.h"
 #include "scene/scene.h"
 
 namespace solitaire {
@@ -16,10 +18,10 @@ namespace {
 
 constexpr int kSolutions = 8;
 
-void write_scene(const Solution& solution, AssetLibrary& assets, const std::filesystem::path& folder,
-                 int number) {
+void write_scene(const Solution& solution, const SourceSet& sources, AssetLibrary& assets,
+                 const std::filesystem::path& folder, int number) {
   const Scene scene =
-      build_scene(solution.execution.placements, solution.execution.unit, "workspace", assets);
+      api::scene_of(api::frozen(solution, static_cast<std::uint64_t>(number), sources), "workspace", assets);
   write_glb(scene, folder / fmt::format("workspace-{}.glb", number));
   benchmark::DoNotOptimize(svg_plan(scene));
 }
@@ -41,7 +43,7 @@ void generate_workspace(benchmark::State& state) {
     for (int i = 0; i < kSolutions; ++i) {
       const auto solution = engine.next();
       if (!solution) return state.SkipWithError("no solution");
-      write_scene(*solution, assets, folder, i);
+      write_scene(*solution, program.sources, assets, folder, i);
     }
     whole += std::chrono::duration<double>(StopSignal::Clock::now() - start).count();
     solving += engine.times().solve;

@@ -9,9 +9,9 @@
 #include "library/translate.h"
 #include "scene/assets.h"
 #include "scene/atomic_file.h"
-#include "scene/gallery.h"
-#include "scene/gltf.h"
-#include "scene/plan.h"
+#include "scene/gltf/writer.h"
+#include "scene/page/gallery.h"
+#include "scene/page/plan.h"
 
 namespace solitaire::api {
 namespace {

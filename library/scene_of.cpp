@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "library/freeze.h"
 #include "library/json.h"
 
 namespace solitaire::api {
@@ -10,11 +9,12 @@ namespace {
 
 constexpr std::array<double, 3> kRed = {0.85, 0.1, 0.1};
 
-solitaire::Placement placement_of(const Placement& placement) {
-  return {
-      placement.asset,  placement.at,    placement.size,    placement.turn,  placement.angle,
-      placement.color,  placement.name,  placement.address, placement.calls, known_choices(placement.choices),
-      placement.extras, placement.source};
+PlacedThing to_thing(const Placement& placement) {
+  PlacedThing thing{placement.asset,  placement.at,    placement.size,    placement.turn,  placement.angle,
+                    placement.color,  placement.name,  placement.address, placement.calls, {},
+                    placement.extras, placement.source};
+  for (const Choice& choice : placement.choices) thing.choices.push_back({choice.address, choice.value});
+  return thing;
 }
 
 bool concerns(const BrokenAssert& broken, const Placement& placement) {
@@ -23,7 +23,7 @@ bool concerns(const BrokenAssert& broken, const Placement& placement) {
   });
 }
 
-void mark(const Solution& solution, const Placement& placement, solitaire::Placement& marked) {
+void mark(const Solution& solution, const Placement& placement, PlacedThing& marked) {
   Json broken = Json::array();
   for (const BrokenAssert& each : solution.broken) {
     if (concerns(each, placement)) broken.push_back(to_text(each));
@@ -36,12 +36,12 @@ void mark(const Solution& solution, const Placement& placement, solitaire::Place
 }  // namespace
 
 Scene scene_of(const Solution& solution, const std::string& title, AssetLibrary& assets) {
-  std::vector<solitaire::Placement> placements;
+  std::vector<PlacedThing> things;
   for (const Placement& placement : solution.placements) {
-    placements.push_back(placement_of(placement));
-    mark(solution, placement, placements.back());
+    things.push_back(to_thing(placement));
+    mark(solution, placement, things.back());
   }
-  return build_scene(placements, solution.unit, title, assets);
+  return build_scene(things, solution.unit, title, assets);
 }
 
 }  // namespace solitaire::api

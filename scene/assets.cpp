@@ -4,27 +4,15 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "scene/accessor_view.h"
-#include "scene/asset_model.h"
 #include "scene/error.h"
-#include "scene/gltf_reader.h"
+#include "scene/gltf/accessor_view.h"
+#include "scene/gltf/asset_model.h"
+#include "scene/gltf/reader.h"
 
 namespace solitaire {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Goes through an asset's nodes, roots first, as deep as check_model allows.
-template <typename Visit>
-void for_each_mesh(const AssetModel& model, const std::vector<int>& nodes, const Affine& outer,
-                   const Visit& visit) {
-  for (const int index : nodes) {
-    const auto& node = model.gltf.nodes[static_cast<std::size_t>(index)];
-    const Affine map = outer * local_transform(node);
-    if (node.mesh != -1) visit(model.gltf.meshes[static_cast<std::size_t>(node.mesh)], map);
-    for_each_mesh(model, node.children, map, visit);
-  }
-}
 
 Box3 measured_box(const AssetModel& model) {
   Box3 box;
@@ -95,28 +83,6 @@ bool can_be_bundled(const std::string& name) {
 }
 
 }  // namespace
-
-bool AssetModel::is_single_mesh() const {
-  if (roots.size() != 1) return false;
-  const auto& node = gltf.nodes[static_cast<std::size_t>(roots.front())];
-  return node.mesh != -1 && node.children.empty() && local_transform(node).is_identity();
-}
-
-Affine local_transform(const tinygltf::Node& node) {
-  if (!node.matrix.empty()) {
-    Affine map;
-    for (std::size_t row = 0; row < 3; ++row) {
-      for (std::size_t column = 0; column < 4; ++column)
-        map.rows[row][column] = node.matrix[column * 4 + row];
-    }
-    return map;
-  }
-  Transform transform;
-  if (!node.translation.empty()) std::copy_n(node.translation.begin(), 3, transform.translation.begin());
-  if (!node.rotation.empty()) std::copy_n(node.rotation.begin(), 4, transform.rotation.begin());
-  if (!node.scale.empty()) std::copy_n(node.scale.begin(), 3, transform.scale.begin());
-  return to_affine(transform);
-}
 
 AssetLibrary::AssetLibrary(fs::path bundled, fs::path script_folder)
     : bundled_(std::move(bundled)), script_folder_(std::move(script_folder)) {}

@@ -9,9 +9,9 @@
 
 namespace solitaire {
 
-struct AssetModel;  // scene/asset_model.h; keeps glTF out of this header
+struct AssetModel;  // scene/gltf/asset_model.h; keeps glTF out of this header
 
-/// A 3D model that placements share.
+/// A 3D model that placed things share.
 struct Asset {
   std::string name;     // "chair"
   Box3 box;             // of all its vertices; glTF axes, metres
@@ -21,15 +21,15 @@ struct Asset {
   std::shared_ptr<const AssetModel> model;
 };
 
-/// Finds and loads assets, each file once. Not for several threads at a time.
+/// Finds and loads assets, each file once. Only one thread at a time may use it.
 class AssetLibrary {
  public:
   /// `bundled` holds NAME.glb files; paths that programs write are relative to `script_folder`.
   AssetLibrary(std::filesystem::path bundled, std::filesystem::path script_folder);
 
-  /// A bundled asset by its name, or the user's own by a path that ends in .glb or .gltf. nullptr if no asset
-  /// has this name, which a scene shows as a box. Throws SceneError for a file that is missing, broken or not
-  /// supported. The asset lives as long as the library.
+  /// Returns a bundled asset by its name, or the user's own by a path that ends in .glb or .gltf. Returns
+  /// nullptr if no asset has this name; a scene shows a box then. Throws SceneError for a file that is
+  /// missing, broken or not supported. The asset lives as long as the library.
   const Asset* find(const std::string& name);
 
  private:

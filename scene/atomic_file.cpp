@@ -27,7 +27,7 @@ std::string temporary_name(::pid_t process, unsigned number) {
   return fmt::format(".solitaire-{}-{}.part", process, number);
 }
 
-/// The process that has named a temporary file; 0 if it is none.
+/// Returns the process that has named a temporary file, or 0 if this is not such a name.
 ::pid_t process_of(const std::string& name) {
   ::pid_t process = 0;
   unsigned number = 0;
@@ -35,8 +35,9 @@ std::string temporary_name(::pid_t process, unsigned number) {
   return name == temporary_name(process, number) ? process : 0;
 }
 
-/// Whether no process can be at work on the file. One with that number may also be that of another machine
-/// or container which shares the folder, so a file that was written to just now is left alone.
+/// Returns true if no process can be at work on the file. Its number may be that of a process on another
+/// machine or in another container which shares the folder, so a file that was written to just now is left
+/// alone.
 bool is_abandoned(const fs::directory_entry& file) {
   constexpr std::chrono::minutes kAtWork(1);
   const ::pid_t process = process_of(file.path().filename().string());
@@ -45,7 +46,7 @@ bool is_abandoned(const fs::directory_entry& file) {
   return ended && fs::file_time_type::clock::now() - file.last_write_time() > kAtWork;
 }
 
-/// An open file; close() tells whether everything reached it.
+/// An open file. close() returns true if everything has reached it.
 class Output {
  public:
   Output(const fs::path& path, int flags)

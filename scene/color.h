@@ -8,10 +8,10 @@ namespace solitaire {
 /// Red, green, blue, each 0..1, as a screen shows them (sRGB): what programs, plans and style sheets write.
 using Color = std::array<double, 3>;
 
-/// The same name has the same colour in every scene: a soft one, so that labels stay legible on it.
+/// Returns a soft colour, on which labels stay legible. A name has the same colour in every scene.
 Color color_of_name(std::string_view name);
 
-/// glTF's factors are linear light.
+/// Convert between what screens show (sRGB) and linear light, in which glTF writes its factors.
 Color to_linear(const Color& screen);
 Color to_screen(const Color& linear);
 

@@ -7,7 +7,7 @@ namespace solitaire {
 using Vec3 = std::array<double, 3>;
 using Quaternion = std::array<double, 4>;  // x, y, z, w, as glTF writes it
 
-/// A box along the axes. A new one is empty: any point included becomes both of its corners.
+/// A box along the axes. A new box is empty: the first point that is included becomes both of its corners.
 struct Box3 {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -20,7 +20,7 @@ struct Box3 {
   Vec3 corner(int index) const;  // 0..7; bit k chooses high over low on axis k
 };
 
-/// Translation after rotation after scaling, as on a glTF node.
+/// Scales, then rotates, then translates, as a glTF node does.
 struct Transform {
   Vec3 translation{0, 0, 0};
   Quaternion rotation{0, 0, 0, 1};
@@ -39,11 +39,12 @@ Affine to_affine(const Transform& transform);
 Affine operator*(const Affine& outer, const Affine& inner);
 Box3 transformed(const Affine& map, const Box3& box);
 
-/// A turn about glTF's up axis, +Y, counter-clockwise seen from above. Exact at quarter turns; elsewhere
-/// rounded to 9 digits, so that processors whose sines differ in the last bit write the same file.
+/// Returns a turn about glTF's up axis, +Y, counter-clockwise seen from above. It is exact at quarter turns
+/// and rounded to 9 digits elsewhere, so that processors whose sines differ in the last bit write the same
+/// file.
 Quaternion about_up(double degrees);
 
-/// Rounded to a multiple of 10^-digits; never -0.
+/// Returns the nearest multiple of 10^-digits, and 0 in place of -0.
 double rounded(double value, int digits);
 
 }  // namespace solitaire

@@ -9,12 +9,15 @@
 namespace solitaire {
 namespace {
 
-// Of Godot 4's scene importer: nodes and meshes first, then materials ("alpha", "vcol") and animations.
+// The suffixes that Godot 4's scene importer acts on: those of nodes and meshes first, then those of
+// materials
+// ("alpha", "vcol") and of animations.
 constexpr std::array<std::string_view, 16> kGodotSuffixes = {
     "noimp",   "col",     "convcol", "colonly", "convcolonly", "rigid", "navmesh", "occ",
     "occonly", "vehicle", "wheel",   "loop",    "cycle",       "alpha", "vcol",    "skel"};
 
-// As Godot reads it: lower case, characters that a node's name cannot have as "_", trailing numbers ignored.
+// Returns the name as Godot reads it: in lower case, with "_" for characters that a node's name cannot have,
+// and without trailing numbers.
 std::string as_godot_reads(std::string_view name) {
   std::string read;
   for (const char c : name) {

@@ -6,9 +6,10 @@
 
 namespace solitaire {
 
-/// A name that no importer acts on: valid text, and none of the suffixes ("-col", "_rigid", "-loop", …) nor
-/// the
-/// "$" by which Godot takes a node, mesh or material for something else. "wall_col" becomes "wall_col (1)".
+/// Returns a name that no importer acts on: valid text without "$" and without the suffixes ("-col",
+/// "_rigid",
+/// "-loop", …) by which Godot takes a node, mesh or material for something else. "wall_col" becomes
+/// "wall_col (1)".
 std::string harmless_name(std::string_view wanted);
 
 /// Hands out harmless names, each one once: "chair", "chair (2)", "chair (3)".

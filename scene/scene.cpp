@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "scene/error.h"
@@ -15,20 +16,20 @@ namespace {
 constexpr double kThinnest = 0.001;  // metres; a size of 0 would leave a node that cannot be inverted
 constexpr double kLargest = 1e7;     // metres; beyond it 32-bit floats no longer tell centimetres apart
 
-[[noreturn]] void fail(const Placement& placement, std::string_view what) {
-  throw SceneError(fmt::format("{}: {} ({})", placement.source, what, placement.address));
+[[noreturn]] void fail(const PlacedThing& thing, std::string_view what) {
+  throw SceneError(fmt::format("{}: {} ({})", thing.source, what, thing.address));
 }
 
-/// The size of an asset seen from its front: width, depth, height.
+/// Returns the size of an asset seen from its front: width, depth, height.
 Vec3 natural_size(const Asset& asset) {
   const Vec3 size = asset.box.size();
   return asset.front_turns % 2 == 0 ? Vec3{size[0], size[2], size[1]} : Vec3{size[2], size[0], size[1]};
 }
 
-Vec3 size_of(const Placement& placement, const Asset* asset, double unit) {
-  const auto& wanted = placement.size;
+Vec3 size_of(const PlacedThing& thing, const Asset* asset, double unit) {
+  const auto& wanted = thing.size;
   if (!wanted.empty() && wanted.size() != 2 && wanted.size() != 3)
-    fail(placement, "size needs [w, d] or [w, d, h]");
+    fail(thing, "size needs [w, d] or [w, d, h]");
   if (wanted.empty()) return asset ? natural_size(*asset) : Vec3{unit, unit, unit};
   Vec3 size{wanted[0] * unit, wanted[1] * unit, 0};
   if (wanted.size() == 3) {
@@ -37,31 +38,29 @@ Vec3 size_of(const Placement& placement, const Asset* asset, double unit) {
     size[2] = asset ? natural_size(*asset)[2] : std::min(size[0], size[1]);
   }
   for (double& length : size) {
-    if (!(length >= 0 && length <= kLargest))
-      fail(placement, "size is negative, not finite or beyond measure");
+    if (!(length >= 0 && length <= kLargest)) fail(thing, "size is negative, not finite or beyond measure");
     length = std::max(length, kThinnest);
   }
   return size;
 }
 
-PlacedBox place_box(const Placement& placement, const Asset* asset, double unit) {
+PlacedBox place_box(const PlacedThing& thing, const Asset* asset, double unit) {
   PlacedBox box;
-  box.size = size_of(placement, asset, unit);
-  const int turn = ((placement.turn % 4) + 4) % 4;
-  box.angle = placement.angle ? *placement.angle : turn * 90.0;
-  const bool swapped = !placement.angle && turn % 2 == 1;
+  box.size = size_of(thing, asset, unit);
+  const int turn = ((thing.turn % 4) + 4) % 4;
+  box.angle = thing.angle ? *thing.angle : turn * 90.0;
+  const bool swapped = !thing.angle && turn % 2 == 1;
   const Vec3 half{box.size[swapped ? 1 : 0] / 2, box.size[swapped ? 0 : 1] / 2, 0};
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = placement.at[axis] * unit;
-    if (!(std::abs(low) <= kLargest)) fail(placement, "at is not finite or beyond measure");
+    const double low = thing.at[axis] * unit;
+    if (!(std::abs(low) <= kLargest)) fail(thing, "at is not finite or beyond measure");
     box.center[axis] = low + half[axis];
   }
-  if (!std::isfinite(box.angle)) fail(placement, "angle is not finite");
+  if (!std::isfinite(box.angle)) fail(thing, "angle is not finite");
   return box;
 }
 
-/// The unit box stands on the ground around the origin, as bundled assets do.
-Box3 model_box(const Asset* asset) { return asset ? asset->box : Box3{{-0.5, 0, -0.5}, {0.5, 1, 0.5}}; }
+Box3 model_box(const Asset* asset) { return asset ? asset->box : unit_box(); }
 
 double stretch(double wanted, double natural) { return natural > 0 ? wanted / natural : 1; }
 
@@ -81,26 +80,26 @@ Transform node_transform(const PlacedBox& box, const Asset* asset) {
   return transform;
 }
 
-Color color_of(const Placement& placement, const Asset* asset) {
-  if (placement.color) return *placement.color;
-  return asset ? asset->color : color_of_name(placement.asset);
+Color color_of(const PlacedThing& thing, const Asset* asset) {
+  if (thing.color) return *thing.color;
+  return asset ? asset->color : color_of_name(thing.asset);
 }
 
-SceneObject make_object(const Placement& placement, double unit, AssetLibrary& assets) {
+SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& assets) {
   SceneObject object;
-  object.placement = placement;
+  object.thing = thing;
   try {
-    object.asset = assets.find(placement.asset);
+    object.asset = assets.find(thing.asset);
   } catch (const SceneError& error) {
-    fail(placement, error.what());
+    fail(thing, error.what());
   }
-  object.box = place_box(placement, object.asset, unit);
-  object.color = color_of(placement, object.asset);
+  object.box = place_box(thing, object.asset, unit);
+  object.color = color_of(thing, object.asset);
   object.node_transform = node_transform(object.box, object.asset);
   return object;
 }
 
-/// Grows the tree of calls.
+/// Builds the tree of the program's calls, in the order of its run.
 class TreeBuilder {
  public:
   explicit TreeBuilder(Scene& scene) : scene_(scene) {
@@ -109,7 +108,7 @@ class TreeBuilder {
 
   void add(std::size_t object) {
     std::size_t parent = 0;
-    for (const std::string& call : scene_.objects[object].placement.calls) parent = group(parent, call);
+    for (const std::string& call : scene_.objects[object].thing.groups) parent = group(parent, call);
     scene_.nodes[append(parent, plain_name(scene_.objects[object]))].object = object;
   }
 
@@ -134,21 +133,31 @@ class TreeBuilder {
 
 }  // namespace
 
-std::string plain_name(const SceneObject& object) {
-  if (!object.placement.name.empty()) return object.placement.name;
-  if (object.asset) return object.asset->name;
-  return object.placement.asset.empty() ? "box" : object.placement.asset;
+Box3 unit_box() { return {{-0.5, 0, -0.5}, {0.5, 1, 0.5}}; }
+
+Box3 bounds(const PlacedBox& box) {
+  const double angle = box.angle * std::numbers::pi / 180;
+  const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
+  const double x = (c * box.size[0] + s * box.size[1]) / 2, y = (s * box.size[0] + c * box.size[1]) / 2;
+  return {{box.center[0] - x, box.center[1] - y, box.center[2]},
+          {box.center[0] + x, box.center[1] + y, box.top()}};
 }
 
-Scene build_scene(const std::vector<Placement>& placements, double unit, const std::string& title,
+std::string plain_name(const SceneObject& object) {
+  if (!object.thing.name.empty()) return object.thing.name;
+  if (object.asset) return object.asset->name;
+  return object.thing.asset.empty() ? "box" : object.thing.asset;
+}
+
+Scene build_scene(const std::vector<PlacedThing>& things, double unit, const std::string& title,
                   AssetLibrary& assets) {
   if (!(unit > 0 && unit <= kLargest)) throw SceneError("the unit must be a positive number of metres");
   Scene scene;
   scene.title = title;
-  scene.objects.reserve(placements.size());
+  scene.objects.reserve(things.size());
   TreeBuilder tree(scene);
-  for (const Placement& placement : placements) {
-    scene.objects.push_back(make_object(placement, unit, assets));
+  for (const PlacedThing& thing : things) {
+    scene.objects.push_back(make_object(thing, unit, assets));
     tree.add(scene.objects.size() - 1);
   }
   return scene;

@@ -6,11 +6,11 @@
 #include "scene/assets.h"
 #include "scene/color.h"
 #include "scene/geometry.h"
-#include "solitaire/run/execution.h"
+#include "scene/placed_thing.h"
 
 namespace solitaire {
 
-/// Where an object stands, in metres along the program's axes: x right, y into the depth, z up.
+/// The box that an object fills, in metres along the program's axes: x right, y into the depth, z up.
 struct PlacedBox {
   Vec3 center{};     // of its base
   Vec3 size{};       // width, depth, height before turning
@@ -20,33 +20,41 @@ struct PlacedBox {
 };
 
 struct SceneObject {
-  Placement placement;
+  PlacedThing thing;
   const Asset* asset = nullptr;  // nullptr: a plain box
   PlacedBox box;
   Color color{};             // as a plan shows it
   Transform node_transform;  // of its glTF node: brings the asset, or the unit box, to its place
 };
 
-/// A group (one call of the program) or an object.
+/// A node of the scene's tree: an object, or a group for one call of the program.
 struct SceneNode {
   std::string name;                   // unique within the scene, and harmless to importers
   std::vector<std::size_t> children;  // indices into Scene::nodes, in the order of the program's run
   std::optional<std::size_t> object;  // index into Scene::objects
 };
 
-/// What a solution shows. Refers to assets of the library it was built with.
+/// What a solution shows. It refers to assets of the library that it was built with.
 struct Scene {
   std::string title;
   std::vector<SceneNode> nodes;  // nodes[0] is the root; parents come before their children
   std::vector<SceneObject> objects;
 };
 
-/// What the object is called before it is made unique: as the program named it, or after its asset.
+/// Returns the box that a thing without an asset is drawn as, in its own frame: it stands on the ground
+/// around the origin, as bundled assets do.
+Box3 unit_box();
+
+/// Returns the least box along the program's axes that holds this one.
+Box3 bounds(const PlacedBox& box);
+
+/// Returns the object's name before it is made unique: the program's name for it, or that of its asset.
 std::string plain_name(const SceneObject& object);
 
-/// `unit` is the length of one program unit in metres. Throws SceneError for an asset that cannot be used and
-/// for sizes or places that are no finite, sensible numbers, naming the place call.
-Scene build_scene(const std::vector<Placement>& placements, double unit, const std::string& title,
+/// Builds the scene of these things, where `unit` is the length of one program unit in metres. Throws
+/// SceneError for an asset that cannot be used, and for a size or place that is not finite or beyond 10,000
+/// km; the text names the place call.
+Scene build_scene(const std::vector<PlacedThing>& things, double unit, const std::string& title,
                   AssetLibrary& assets);
 
 }  // namespace solitaire

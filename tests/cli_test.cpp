@@ -6,7 +6,7 @@
 #include <sstream>
 #include <unistd.h>
 
-#include "scene/gltf_reader.h"
+#include "scene/gltf/reader.h"
 #include "smt/z3/z3_api.h"
 #include "tests/command.h"
 #include "tests/program_run.h"

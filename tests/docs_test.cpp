@@ -34,7 +34,8 @@
 #include <vector>
 
 #include "engines/distinct.h"
-#include "scene/scene.h"
+#include "library/freeze.h"
+#include "library/scene_of.h"
 #include "tests/explain_comments.h"
 #include "tests/program_run.h"
 
@@ -162,7 +163,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const PageProgram& 
 }
 
 void check_first(const PageProgram& shown, const Solution& solution, const TracingEngine& engine,
-                 const fs::path& folder) {
+                 const SourceSet& sources, const fs::path& folder) {
   const Execution& execution = solution.execution;
   if (shown.expects("choices")) {
     std::vector<std::string> addresses;
@@ -174,7 +175,7 @@ void check_first(const PageProgram& shown, const Solution& solution, const Traci
   if (shown.expects("places"))
     CHECK(std::to_string(execution.placements.size()) == shown.of("places").front().text);
   AssetLibrary assets(kSource / "assets", folder);
-  CHECK_NOTHROW(build_scene(execution.placements, execution.unit, "docs", assets));
+  CHECK_NOTHROW(api::scene_of(api::frozen(solution, 1, sources), "docs", assets));
 }
 
 void check_solutions(const PageProgram& shown, const Program& program, const ParamValues& params,
@@ -194,7 +195,7 @@ void check_solutions(const PageProgram& shown, const Program& program, const Par
   while (solutions < (wants_all ? kMostSolutions : 1)) {
     const auto solution = engine.next();
     if (!solution) break;
-    if (++solutions == 1) check_first(shown, *solution, engine, folder);
+    if (++solutions == 1) check_first(shown, *solution, engine, program.sources, folder);
     values.insert(to_text(solution->execution.value));
     if (results.add(solution->execution)) ++distinct;
   }

@@ -12,7 +12,7 @@
 #include <thread>
 #include <unistd.h>
 
-#include "scene/gltf_reader.h"
+#include "scene/gltf/reader.h"
 #include "tests/command.h"
 
 #if defined(__SANITIZE_ADDRESS__)

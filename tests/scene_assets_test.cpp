@@ -2,9 +2,9 @@
 #include <map>
 #include <random>
 
-#include "scene/accessor_view.h"
-#include "scene/asset_model.h"
-#include "scene/gltf.h"
+#include "scene/gltf/accessor_view.h"
+#include "scene/gltf/asset_model.h"
+#include "scene/gltf/writer.h"
 #include "tests/scene_fixture.h"
 
 namespace solitaire {
@@ -140,7 +140,7 @@ TEST_CASE("scene: damaged bytes anywhere never do more than fail") {
     write_file(folder / "chair.glb", damaged);
     AssetLibrary assets(kAssets, folder.path());
     const std::string error = error_of([&] {
-      Placement placement = placed("chair.glb", {0, 0, 0});
+      PlacedThing placement = placed("chair.glb", {0, 0, 0});
       placement.color = {{1, 0, 0}};
       glb_bytes(build_scene({placement}, 1, "test", assets));
     });

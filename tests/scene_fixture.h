@@ -54,16 +54,16 @@ inline void write_file(const fs::path& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-inline Placement placed(const std::string& asset, std::array<double, 3> at, std::vector<double> size = {},
-                        int turn = 0) {
-  Placement placement;
-  placement.asset = asset;
-  placement.at = at;
-  placement.size = std::move(size);
-  placement.turn = turn;
-  placement.address = fmt::format("{}/{},{},{}/{}", asset, at[0], at[1], at[2], turn);
-  placement.source = "test.sol:1:1";
-  return placement;
+inline PlacedThing placed(const std::string& asset, std::array<double, 3> at, std::vector<double> size = {},
+                          int turn = 0) {
+  PlacedThing thing;
+  thing.asset = asset;
+  thing.at = at;
+  thing.size = std::move(size);
+  thing.turn = turn;
+  thing.address = fmt::format("{}/{},{},{}/{}", asset, at[0], at[1], at[2], turn);
+  thing.source = "test.sol:1:1";
+  return thing;
 }
 
 inline std::uint32_t word(const std::string& bytes, std::size_t at) {

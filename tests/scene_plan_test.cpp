@@ -1,8 +1,8 @@
 // The plan and the gallery page.
 #include <cstdio>
 
-#include "scene/gallery.h"
-#include "scene/plan.h"
+#include "scene/page/gallery.h"
+#include "scene/page/plan.h"
 #include "scene/text.h"
 #include "tests/scene_fixture.h"
 
@@ -44,7 +44,7 @@ std::vector<Drawn> drawn_objects(const std::string& svg) {
 
 TEST_CASE("plan: true proportions, y up, small and high things on top") {
   AssetLibrary assets = bundled();
-  Placement turned = placed("", {0, 0, 1}, {2, 1, 1});
+  PlacedThing turned = placed("", {0, 0, 1}, {2, 1, 1});
   turned.angle = 30;
   const auto objects = drawn_objects(svg_plan(build_scene(
       {turned, placed("", {3, 1, 0}, {1, 1}), placed("", {0, 0, 0}, {4, 2})}, 1, "test", assets)));
@@ -60,7 +60,7 @@ TEST_CASE("plan: true proportions, y up, small and high things on top") {
 
 TEST_CASE("plan: labels stay within their shapes, and are left out where there is no room") {
   AssetLibrary assets = bundled();
-  std::vector<Placement> placements;
+  std::vector<PlacedThing> placements;
   const std::string name(4, 'W');
   for (int i = 0; i < 12; ++i) {
     placements.push_back(placed("", {i * 3.0, 0, 0}, {0.2 + 0.25 * i, 3.0 - 0.2 * i}));
@@ -83,7 +83,7 @@ TEST_CASE("plan: labels stay within their shapes, and are left out where there i
 
 TEST_CASE("plan and gallery: names are escaped, whatever they hold") {
   AssetLibrary assets = bundled();
-  Placement placement = placed("", {0, 0, 0}, {2, 1});
+  PlacedThing placement = placed("", {0, 0, 0}, {2, 1});
   placement.name = "<script>\"&'\xff\x02";
   placement.address = "a<b>";
   const std::string plan = svg_plan(build_scene({placement}, 1, "t<i>tle", assets));

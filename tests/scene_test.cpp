@@ -2,11 +2,11 @@
 #include <map>
 #include <set>
 
-#include "scene/gltf.h"
-#include "scene/gltf_reader.h"
+#include "scene/gltf/reader.h"
+#include "scene/gltf/verify.h"
+#include "scene/gltf/writer.h"
 #include "scene/names.h"
-#include "scene/plan.h"
-#include "scene/verify.h"
+#include "scene/page/plan.h"
 #include "tests/scene_fixture.h"
 
 namespace solitaire {
@@ -39,7 +39,7 @@ TEST_CASE("scene: size stretches an asset before it is turned, and the unit scal
 
 TEST_CASE("scene: an angle turns about the middle of the box that is not turned") {
   AssetLibrary assets = bundled();
-  Placement placement = placed("", {10, 20, 0}, {4, 2, 1});
+  PlacedThing placement = placed("", {10, 20, 0}, {4, 2, 1});
   placement.angle = 30;
   placement.turn = 1;  // counts for nothing beside an angle
   const json file = json_of(glb_bytes(build_scene({placement}, 1, "test", assets)));
@@ -78,7 +78,7 @@ TEST_CASE("scene: an asset that states its front is turned to it") {
 
 TEST_CASE("scene: impossible sizes and places are errors that name the place call") {
   AssetLibrary assets = bundled();
-  const auto error = [&](const Placement& placement) {
+  const auto error = [&](const PlacedThing& placement) {
     return error_of([&] { build_scene({placement}, 1, "test", assets); });
   };
   CHECK(error(placed("", {0, 0, 0}, {1, -1})).find("test.sol:1:1") == 0);
@@ -90,10 +90,10 @@ TEST_CASE("scene: impossible sizes and places are errors that name the place cal
 
 TEST_CASE("scene: the tree is the call tree, in the program's order") {
   AssetLibrary assets = bundled();
-  Placement first = placed("table", {0, 0, 0}), second = placed("chair", {2, 0, 0}),
-            third = placed("chair", {4, 0, 0});
-  first.calls = third.calls = {"wing[0]", "room[0]"};
-  second.calls = {"wing[1]", "room[0]"};
+  PlacedThing first = placed("table", {0, 0, 0}), second = placed("chair", {2, 0, 0}),
+              third = placed("chair", {4, 0, 0});
+  first.groups = third.groups = {"wing[0]", "room[0]"};
+  second.groups = {"wing[1]", "room[0]"};
   const json file = json_of(glb_bytes(build_scene({first, second, third}, 1, "office", assets)));
   const auto children = [&](const std::string& name) {
     std::vector<std::string> names;
@@ -109,7 +109,7 @@ TEST_CASE("scene: the tree is the call tree, in the program's order") {
 
 TEST_CASE("scene: nodes share an asset's mesh, and colours share its geometry") {
   AssetLibrary assets = bundled();
-  std::vector<Placement> placements;
+  std::vector<PlacedThing> placements;
   for (int i = 0; i < 10; ++i) placements.push_back(placed("chair", {i * 1.0, 0, 0}, {}, i % 4));
   for (int i = 0; i < 4; ++i) {
     placements.push_back(placed("chair", {i * 1.0, 2, 0}));
@@ -180,11 +180,10 @@ TEST_CASE("scene: names are unique and start none of Godot's import rules") {
 
 TEST_CASE("scene: extras tell address, source, choices and the program's own arguments") {
   AssetLibrary assets = bundled();
-  Placement placement = placed("chair", {0, 0, 0});
+  PlacedThing placement = placed("chair", {0, 0, 0});
   const std::string long_address(100, 'a');
-  placement.choices = {{"b/x", Distribution::Family::kRange, TypedScalar::of(std::int64_t{-7})},
-                       {long_address, Distribution::Family::kFlip, TypedScalar::of(true)},
-                       {"a/i", Distribution::Family::kRange, TypedScalar::of(std::int64_t{1234567890123})}};
+  placement.choices = {
+      {"b/x", std::int64_t{-7}}, {long_address, true}, {"a/i", std::int64_t{1234567890123}}, {"c/f", 0.5}};
   placement.extras = {{"price", "12.5"}, {"tags", R"(["a","b"])"}, {"none", "null"}, {"address", "\"home\""}};
   const json file = json_of(glb_bytes(build_scene({placement}, 1, "test", assets)));
   const json expected = {{"address", placement.address},
@@ -193,7 +192,8 @@ TEST_CASE("scene: extras tell address, source, choices and the program's own arg
                          {"choices",
                           {{{"at", "b/x"}, {"value", -7}},
                            {{"at", long_address}, {"value", true}},
-                           {{"at", "a/i"}, {"value", "1234567890123"}}}},
+                           {{"at", "a/i"}, {"value", "1234567890123"}},
+                           {{"at", "c/f"}, {"value", 0.5}}}},
                          {"price", 12.5},
                          {"tags", R"(["a","b"])"},
                          {"none", "null"}};
@@ -203,7 +203,7 @@ TEST_CASE("scene: extras tell address, source, choices and the program's own arg
 TEST_CASE("scene: the same placements give the same bytes") {
   const auto bytes = [] {
     AssetLibrary assets = bundled();
-    std::vector<Placement> placements;
+    std::vector<PlacedThing> placements;
     for (const char* asset : {"chair", "table", "unknown", "", "tree", "chair"}) {
       placements.push_back(
           placed(asset, {placements.size() * 2.5, 1, 0}, {}, static_cast<int>(placements.size())));

@@ -7,7 +7,7 @@
 
 #include "scene/atomic_file.h"
 #include "scene/error.h"
-#include "scene/mesh_copy.h"
+#include "scene/gltf/mesh_copy.h"
 
 namespace solitaire {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/color.h"
-#include "scene/mesh_builder.h"
+#include "scene/gltf/mesh_builder.h"
 
 namespace solitaire {
 

@@ -25,8 +25,8 @@ struct GalleryEntry {
   std::vector<std::string> remarks;  // lines below the value
 };
 
-/// One self-contained HTML page: no script, nothing from a network, the entries in the order given. It holds
-/// two themes and follows the reader's.
+/// Returns a self-contained HTML page without scripts, which loads nothing from a network. It shows the
+/// entries in the order given. It holds a light and a dark theme and follows the reader's.
 std::string gallery_html(const GalleryInfo& info, const std::vector<GalleryEntry>& entries);
 
 }  // namespace solitaire

@@ -1,4 +1,4 @@
-#include "scene/gltf_check.h"
+#include "scene/gltf/check.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <vector>
 
-#include "scene/accessor_view.h"
 #include "scene/error.h"
-#include "scene/gltf_reader.h"
+#include "scene/gltf/accessor_view.h"
+#include "scene/gltf/node_tree.h"
 
 namespace solitaire {
 namespace {

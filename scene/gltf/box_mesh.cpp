@@ -1,7 +1,7 @@
-#include "scene/box_mesh.h"
+#include "scene/gltf/box_mesh.h"
 
-#include "scene/mesh_builder.h"
-#include "scene/mesh_copy.h"
+#include "scene/gltf/mesh_builder.h"
+#include "scene/gltf/mesh_copy.h"
 
 namespace solitaire {
 

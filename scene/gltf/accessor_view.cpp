@@ -1,4 +1,4 @@
-#include "scene/accessor_view.h"
+#include "scene/gltf/accessor_view.h"
 
 #include <fmt/format.h>
 

@@ -6,27 +6,27 @@
 #include <utility>
 #include <vector>
 
-#include "scene/asset_model.h"
 #include "scene/color.h"
+#include "scene/gltf/asset_model.h"
 
 namespace solitaire {
 
-/// Appends bytes to the output's only buffer, 4-byte aligned; returns the new buffer view.
+/// Appends bytes to the output's only buffer, aligned to 4 bytes, and returns the new buffer view.
 int append_view(tinygltf::Model& to, const std::vector<unsigned char>& bytes, int target,
                 std::size_t stride = 0);
 
-/// The material as it looks in this colour (as screens show it).
+/// Returns the material with this colour, which is given as screens show it.
 tinygltf::Material recolored(tinygltf::Material material, const Color& color);
 
 /// Copies meshes of one asset, with the geometry, materials and images that they use, into an output file.
-/// Each is copied once; meshes that differ only in colour share their geometry. Skins and morph targets stay
-/// behind.
+/// Each is copied once, and meshes that differ only in colour share their geometry. Skins and morph targets
+/// are not copied.
 class MeshCopier {
  public:
   MeshCopier(const AssetModel& from, std::string asset_name, tinygltf::Model& to)
       : source_(from), from_(from.gltf), asset_name_(std::move(asset_name)), to_(to) {}
 
-  /// The output's mesh for the asset's mesh; with a colour, its primary material is in that colour.
+  /// Returns the output's mesh for the asset's mesh. A colour replaces that of the primary material.
   int mesh(int index, const std::optional<Color>& color);
 
  private:

@@ -9,7 +9,4 @@ namespace solitaire {
 /// SceneError.
 tinygltf::Model read_gltf(const std::filesystem::path& file);
 
-/// The nodes that its default scene shows.
-std::vector<int> root_nodes(const tinygltf::Model& model);
-
 }  // namespace solitaire

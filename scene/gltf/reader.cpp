@@ -1,12 +1,11 @@
-#include "scene/gltf_reader.h"
+#include "scene/gltf/reader.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
-#include <set>
 
 #include "scene/error.h"
-#include "scene/gltf_check.h"
+#include "scene/gltf/check.h"
 
 namespace solitaire {
 namespace {
@@ -117,18 +116,6 @@ tinygltf::Model read_gltf(const fs::path& file) {
   } catch (const std::exception& reason) {  // tinygltf lets some of the standard library's through
     throw SceneError(fmt::format("cannot read {}: {}", file.string(), reason.what()));
   }
-}
-
-std::vector<int> root_nodes(const tinygltf::Model& model) {
-  if (!model.scenes.empty())
-    return model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
-  std::set<int> children;
-  for (const auto& node : model.nodes) children.insert(node.children.begin(), node.children.end());
-  std::vector<int> roots;
-  for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i) {
-    if (!children.contains(i)) roots.push_back(i);
-  }
-  return roots;
 }
 
 }  // namespace solitaire

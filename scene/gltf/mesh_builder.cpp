@@ -1,10 +1,10 @@
-#include "scene/mesh_builder.h"
+#include "scene/gltf/mesh_builder.h"
 
 #include <cmath>
 #include <cstring>
 
 #include "scene/error.h"
-#include "scene/mesh_copy.h"
+#include "scene/gltf/mesh_copy.h"
 
 namespace solitaire {
 namespace {

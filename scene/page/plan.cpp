@@ -1,4 +1,4 @@
-#include "scene/plan.h"
+#include "scene/page/plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ struct Area {
   }
 };
 
-/// What a rectangle around `center` takes up when it is turned, along the axes.
+/// Returns the area along the axes that a turned rectangle around `center` takes up.
 Area area_of(Point center, double width, double depth, double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
@@ -40,7 +40,7 @@ Area area_of(Point center, double width, double depth, double degrees) {
   return {{center.x - x, center.y - y}, {center.x + x, center.y + y}};
 }
 
-/// From metres of the program to the drawing's units, y downward.
+/// Maps metres of the program to the drawing's units, in which y runs downward.
 class Paper {
  public:
   explicit Paper(const Scene& scene) {
@@ -56,9 +56,9 @@ class Paper {
 
  private:
   void include(const PlacedBox& box) {
-    const Area area = area_of({box.center[0], box.center[1]}, box.size[0], box.size[1], box.angle);
-    low_ = {std::min(low_.x, area.low.x), std::min(low_.y, area.low.y)};
-    high_ = {std::max(high_.x, area.high.x), std::max(high_.y, area.high.y)};
+    const Box3 area = bounds(box);
+    low_ = {std::min(low_.x, area.low[0]), std::min(low_.y, area.low[1])};
+    high_ = {std::max(high_.x, area.high[0]), std::max(high_.y, area.high[1])};
   }
 
   Point low_{Box3::kInfinity, Box3::kInfinity};
@@ -71,8 +71,8 @@ std::string number(double value) { return fmt::format("{}", rounded(value, 2)); 
 
 Color ink_on(const Color& fill) { return luminance(fill) > 0.3 ? Color{0.08, 0.09, 0.11} : Color{1, 1, 1}; }
 
-/// The shape is drawn in the object's own frame, centre at the origin and front downward, and turned as a
-/// whole.
+/// Draws one object: its shape in a frame of its own, with the centre at the origin and the front downward,
+/// which is then turned as a whole.
 class ObjectDrawing {
  public:
   ObjectDrawing(const SceneObject& object, const std::string& unique_name, const Paper& paper)
@@ -85,11 +85,11 @@ class ObjectDrawing {
 
   Area area() const { return area_of(center_, width_, depth_, object_.box.angle); }
 
-  /// `above`: what is drawn later, and would hide parts of a label.
+  /// Returns the drawing. What lies `above` is drawn later and would hide a label below it.
   std::string svg(std::span<const Area> above) const {
     return fmt::format("<g><title>{}\n{}</title><g{}>{}{}</g>{}</g>\n", escape_markup(unique_name_),
-                       escape_markup(object_.placement.address), moved(center_, object_.box.angle),
-                       rectangle(), front_mark(), label(above));
+                       escape_markup(object_.thing.address), moved(center_, object_.box.angle), rectangle(),
+                       front_mark(), label(above));
   }
 
  private:
@@ -112,7 +112,7 @@ class ObjectDrawing {
                        hex(object_.color), hex(edge));
   }
 
-  /// How far the mark reaches in from the front edge; 0 without a mark.
+  /// Returns how far the mark reaches in from the front edge, or 0 for an object without a front.
   double mark_depth() const {
     const bool has_front = object_.asset && object_.asset->has_front;
     return has_front ? std::min({width_ / 4, depth_ / 4, 6.0}) : 0;
@@ -132,7 +132,7 @@ class ObjectDrawing {
     return {reading, std::min({0.92 * length / text_width(name_), 0.8 * thickness, kMostText})};
   }
 
-  /// Along the side that is nearer to level unless the other leaves much more room.
+  /// Returns the line along the side that is nearer to level, unless the other side leaves much more room.
   Line best_line() const {
     const double free_depth = depth_ - 2 * mark_depth();
     Line line = line_along(object_.box.angle, width_, free_depth);
@@ -141,7 +141,8 @@ class ObjectDrawing {
     return other.font_size > 1.3 * line.font_size ? other : line;
   }
 
-  /// In the middle, or else, for level text, in a corner that nothing hides; "" where it is not legible.
+  /// Returns the label in the middle or, if something hides that and the text is level, in a free corner.
+  /// Returns "" where it would not be legible.
   std::string label(std::span<const Area> above) const {
     if (name_.empty()) return "";
     const Line line = best_line();
@@ -176,7 +177,7 @@ class ObjectDrawing {
   double width_, depth_;
 };
 
-/// 1, 2 or 5 times a power of ten: the longest such that takes at most 30 % of the drawing.
+/// Returns the longest length that takes at most 30 % of the drawing and is 1, 2 or 5 times a power of ten.
 double bar_metres(const Paper& paper) {
   const double most = 0.3 * std::max(paper.size().x, kLongSide / 3) / paper.scale();
   const double ten = std::pow(10, std::floor(std::log10(most)));
@@ -209,7 +210,7 @@ struct NamedObject {
   const std::string* name;
 };
 
-/// Grounds and rooms first, what stands in or on them later.
+/// Returns the objects in the order of drawing: floors first, then what stands in or on them.
 std::vector<NamedObject> bottom_up(const Scene& scene) {
   std::vector<NamedObject> order;
   for (const SceneNode& node : scene.nodes) {

@@ -8,7 +8,8 @@
 
 namespace solitaire {
 
-/// The unit box on the ground around the origin, once in an output file, with a mesh for each colour.
+/// Writes the unit box on the ground around the origin into an output file: its geometry once, and a mesh for
+/// each colour.
 class BoxMeshes {
  public:
   explicit BoxMeshes(tinygltf::Model& to) : to_(to) {}

@@ -10,16 +10,16 @@ namespace solitaire {
 /// Collects triangles and writes them as one glTF primitive.
 class MeshBuilder {
  public:
-  /// A flat face of three or more corners, counter-clockwise seen from outside. `map` is applied to them.
+  /// Adds a flat face of three or more corners, counter-clockwise seen from outside, after applying `map`.
   void face(const std::vector<Vec3>& corners, const Affine& map = {});
-  /// The same with a normal for each corner, for rounded surfaces.
+  /// Adds a face of a rounded surface, which has a normal at each corner.
   void face(const std::vector<Vec3>& corners, const std::vector<Vec3>& normals);
   void add_box(const Box3& box, const Affine& map = {});
 
   void move(const Vec3& by);
   Box3 box() const;  // of everything so far
 
-  /// Adds its accessors to the model, whose first buffer takes the data.
+  /// Returns the primitive after adding its accessors to the model, whose first buffer takes the data.
   tinygltf::Primitive write(tinygltf::Model& to) const;
 
  private:

@@ -1,18 +1,18 @@
-#include "scene/gltf.h"
+#include "scene/gltf/writer.h"
 
 #include <fmt/format.h>
 #include <map>
 #include <sstream>
 #include <tiny_gltf.h>
 
-#include "scene/asset_model.h"
 #include "scene/atomic_file.h"
-#include "scene/box_mesh.h"
 #include "scene/error.h"
-#include "scene/extras.h"
-#include "scene/mesh_copy.h"
+#include "scene/gltf/asset_model.h"
+#include "scene/gltf/box_mesh.h"
+#include "scene/gltf/extras.h"
+#include "scene/gltf/mesh_copy.h"
+#include "scene/gltf/verify.h"
 #include "scene/names.h"
-#include "scene/verify.h"
 
 namespace solitaire {
 namespace {
@@ -72,14 +72,14 @@ class ModelBuilder {
 
   void fill(tinygltf::Node& node, const SceneObject& object) {
     set_transform(node, object.node_transform);
-    node.extras = make_extras(object.placement);
+    node.extras = make_extras(object.thing);
     if (!object.asset) {
       node.mesh = boxes_.mesh(object.color);
     } else if (const AssetModel& model = *object.asset->model; model.is_single_mesh()) {
       const auto& root = model.gltf.nodes[static_cast<std::size_t>(model.roots.front())];
-      node.mesh = copier(*object.asset).mesh(root.mesh, object.placement.color);
+      node.mesh = copier(*object.asset).mesh(root.mesh, object.thing.color);
     } else {
-      node.children = copy_nodes(*object.asset, model.roots, object.placement.color);
+      node.children = copy_nodes(*object.asset, model.roots, object.thing.color);
     }
   }
 

@@ -1,4 +1,4 @@
-#include "scene/extras.h"
+#include "scene/gltf/extras.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <variant>
 
 #include "scene/error.h"
 #include "scene/text.h"
@@ -53,7 +54,7 @@ std::optional<GltfValue> from_object(const json& source) {
   return GltfValue(std::move(object));
 }
 
-/// nullopt for what only JSON text can hold.
+/// Returns nullopt for a value that only JSON text can hold.
 std::optional<GltfValue> to_value(const json& source) {
   switch (source.type()) {
     case json::value_t::boolean:
@@ -76,39 +77,40 @@ std::optional<GltfValue> to_value(const json& source) {
   }
 }
 
-GltfValue from_json_text(const Placement& placement, const std::string& name, const std::string& text) {
+GltfValue from_json_text(const PlacedThing& thing, const std::string& name, const std::string& text) {
   const json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded())
-    throw SceneError(fmt::format("{}: the value of {} is no JSON", placement.source, name));
+    throw SceneError(fmt::format("{}: the value of {} is no JSON", thing.source, name));
   auto value = to_value(parsed);
   return value ? std::move(*value) : GltfValue(parsed.dump());
 }
 
-GltfValue choice_value(const AnsweredChoice& choice) {
-  return choice.kind == Distribution::Family::kFlip ? GltfValue(choice.value.as_int() != 0)
-                                                    : integer(choice.value.as_int());
-}
+struct ChoiceValueWriter {
+  GltfValue operator()(bool value) const { return GltfValue(value); }
+  GltfValue operator()(std::int64_t value) const { return integer(value); }
+  GltfValue operator()(double value) const { return GltfValue(value); }
+};
 
-GltfValue choices_value(const std::vector<AnsweredChoice>& choices) {
+GltfValue choices_value(const std::vector<DecidingChoice>& choices) {
   GltfValue::Array list;
-  for (const auto& choice : choices) {
-    list.emplace_back(
-        GltfValue::Object{{"at", GltfValue(clean_text(choice.address))}, {"value", choice_value(choice)}});
+  for (const auto& [address, value] : choices) {
+    list.emplace_back(GltfValue::Object{{"at", GltfValue(clean_text(address))},
+                                        {"value", std::visit(ChoiceValueWriter{}, value)}});
   }
   return GltfValue(std::move(list));
 }
 
 }  // namespace
 
-GltfValue make_extras(const Placement& placement) {
+GltfValue make_extras(const PlacedThing& thing) {
   GltfValue::Object extras;
-  extras["address"] = GltfValue(clean_text(placement.address));
-  extras["source"] = GltfValue(clean_text(placement.source));
-  if (!placement.choices.empty()) extras["choices"] = choices_value(placement.choices);
-  for (const auto& [name, text] : placement.extras) {
+  extras["address"] = GltfValue(clean_text(thing.address));
+  extras["source"] = GltfValue(clean_text(thing.source));
+  if (!thing.choices.empty()) extras["choices"] = choices_value(thing.choices);
+  for (const auto& [name, text] : thing.extras) {
     std::string key = clean_text(name.substr(0, kLongestKey - 1));  // with room for the "_"
     while (extras.contains(key)) key += "_";  // "address", "source" and "choices" stay ours
-    extras.emplace(key, from_json_text(placement, name, text));
+    extras.emplace(key, from_json_text(thing, name, text));
   }
   return GltfValue(std::move(extras));
 }

@@ -1,12 +1,12 @@
-#include "scene/mesh_copy.h"
+#include "scene/gltf/mesh_copy.h"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <string_view>
 
-#include "scene/accessor_view.h"
 #include "scene/error.h"
+#include "scene/gltf/accessor_view.h"
 #include "scene/names.h"
 
 namespace solitaire {

@@ -1,4 +1,4 @@
-#include "scene/gallery.h"
+#include "scene/page/gallery.h"
 
 #include <fmt/format.h>
 #include <string_view>
@@ -37,7 +37,7 @@ std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-/// A file's name as a link, whatever characters it has; "./" keeps "a:b.glb" from being a scheme.
+/// Returns a link to the file, whatever characters its name has. "./" keeps "a:b.glb" from being a scheme.
 std::string href(std::string_view file) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
   std::string link = "./";

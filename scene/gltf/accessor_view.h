@@ -7,7 +7,7 @@
 
 namespace solitaire {
 
-/// The elements of an accessor that lies within its buffer (check_accessor).
+/// Reads the elements of an accessor that lies within its buffer (see check_accessor).
 class AccessorView {
  public:
   AccessorView(const tinygltf::Model& model, int accessor);

@@ -6,9 +6,9 @@
 
 namespace solitaire {
 
-/// The scene as a .glb: glTF 2.0, metres, +Y up. Each asset's meshes are stored once for each colour it has,
-/// and all its nodes share them; each placed node carries extras (see make_extras). The same scene gives the
-/// same bytes.
+/// Returns the scene as the bytes of a .glb: glTF 2.0, metres, +Y up. Each asset's meshes are stored once for
+/// each colour it has, and all its nodes share them; each placed node carries extras (see make_extras). The
+/// same scene gives the same bytes.
 std::string glb_bytes(const Scene& scene);
 
 /// Writes the .glb whole or not at all, after reading it back from disk and checking it with verify_glb.

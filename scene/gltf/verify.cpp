@@ -1,4 +1,4 @@
-#include "scene/verify.h"
+#include "scene/gltf/verify.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -8,10 +8,10 @@
 #include <unordered_set>
 #include <utility>
 
-#include "scene/accessor_view.h"
-#include "scene/asset_model.h"
 #include "scene/error.h"
-#include "scene/gltf_reader.h"
+#include "scene/gltf/accessor_view.h"
+#include "scene/gltf/asset_model.h"
+#include "scene/gltf/reader.h"
 #include "scene/text.h"
 
 namespace solitaire {
@@ -52,12 +52,12 @@ class Verifier {
   void check_object(int index, const SceneObject& object, const std::string& name) {
     const auto& extras = node(index).extras;
     const bool has_address = extras.Has("address") && extras.Get("address").IsString();
-    require(has_address && extras.Get("address").Get<std::string>() == clean_text(object.placement.address),
+    require(has_address && extras.Get("address").Get<std::string>() == clean_text(object.thing.address),
             "the address", name);
     check_box(index, check_sharing(index, object, name).box, object, name);
   }
 
-  /// What decides an object's meshes: its asset and its colour.
+  /// An object's asset and colour, which decide what meshes it has.
   using Look = std::pair<const Asset*, std::string>;
 
   struct Meshes {
@@ -66,7 +66,7 @@ class Verifier {
   };
 
   const Meshes& check_sharing(int index, const SceneObject& object, const std::string& name) {
-    const bool colored = !object.asset || object.placement.color;
+    const bool colored = !object.asset || object.thing.color;
     const auto [place, is_new] = looks_.try_emplace(Look{object.asset, colored ? hex(object.color) : ""});
     Meshes& known = place->second;
     Meshes found;
@@ -94,7 +94,7 @@ class Verifier {
     for (const int child : node(index).children) include(child, map * local_transform(node(child)), box);
   }
 
-  /// Compares in the frame of the placed box: the centre of its base at the origin, and not turned.
+  /// Compares in the frame of the placed box, whose base is centred at the origin and not turned.
   void check_box(int index, const Box3& meshes, const SceneObject& object, const std::string& name) const {
     const PlacedBox& box = object.box;
     const Affine unturn = to_affine({{}, about_up(-box.angle), {1, 1, 1}});
