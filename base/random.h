@@ -12,7 +12,8 @@ enum class Purpose : std::uint64_t {
   kSuggest = 3,
   kCells = 4,
   kSample = 5,
-  kCount = 6
+  kCount = 6,
+  kPicture = 7
 };
 
 /// A counter-based stream keyed by (seed, purpose, index): its numbers depend on nothing else, on any

@@ -89,7 +89,7 @@ TEST_CASE("plan and gallery: names are escaped, whatever they hold") {
   const std::string plan = svg_plan(build_scene({placement}, 1, "t<i>tle", assets));
   const std::string page =
       gallery_html({"t<i>tle", "a&b.sol", "\"1\"", {{"<o>", "<v>"}}},
-                   {{1, "n<1>", plan, "a \"b\":#ü.glb", "j.json", "<v>&", 2, {"cost <5>"}}});
+                   {{1, "n<1>", plan, "a \"b\":#ü.glb", "j.json", "<v>&", 2, {"cost <5>"}, ""}});
   for (const std::string& text : {plan, page}) {
     CHECK(text.find("<script>") == std::string::npos);
     CHECK(text.find("<i>") == std::string::npos);
@@ -102,10 +102,16 @@ TEST_CASE("plan and gallery: names are escaped, whatever they hold") {
   CHECK(page.find("href=\"./a%20%22b%22%3A%23%C3%BC.glb\"") != std::string::npos);
 }
 
+TEST_CASE("gallery: a picture stands before the plan, whatever its name") {
+  const std::string page = gallery_html(
+      {"t", "", "", {}}, {{1, "n", "<svg>plan</svg>", "n.glb", "n.json", "", 0, {}, "a \"b\".png"}});
+  CHECK(page.find("<img src=\"./a%20%22b%22.png\" alt=\"Picture of n\"") < page.find("<svg>plan</svg>"));
+}
+
 TEST_CASE("gallery: entries in the given order, the value in place of a plan, nothing from elsewhere") {
   const std::string page = gallery_html({"queens", "queens.sol", "7", {}},
-                                        {{2, "queens-0002", "", "", "queens-0002.json", "[1, 3]", 4, {}},
-                                         {1, "queens-0001", "", "", "queens-0001.json", "[2, 0]", 1, {}}});
+                                        {{2, "queens-0002", "", "", "queens-0002.json", "[1, 3]", 4, {}, ""},
+                                         {1, "queens-0001", "", "", "queens-0001.json", "[2, 0]", 1, {}, ""}});
   CHECK(page.find("queens-0002") < page.find("queens-0001"));
   CHECK(page.find("<p class=\"value alone\">[1, 3]</p>") != std::string::npos);
   CHECK(page.find("4 choices") != std::string::npos);

@@ -26,6 +26,8 @@ main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(19rem,
 article { display: flex; flex-direction: column; background: var(--card); border: 1px solid var(--line); border-radius: .6rem; overflow: hidden; }
 .plan { flex: 1; display: grid; place-items: center; padding: .8rem; color: var(--soft); border-bottom: 1px solid var(--line); }
 .plan svg { display: block; width: 100%; height: auto; max-height: 26rem; }
+article img { display: block; width: 100%; height: auto; background: #ecebea; border-bottom: 1px solid var(--line); }
+summary { padding: .5rem .9rem; cursor: pointer; }
 .text { padding: .7rem .9rem .8rem; }
 .value { margin: .3rem 0; font: .85rem/1.5 ui-monospace, monospace; overflow-wrap: anywhere; white-space: pre-wrap; }
 .remark { margin: .3rem 0; font-size: .875rem; overflow-wrap: anywhere; }
@@ -63,8 +65,21 @@ std::string header(const GalleryInfo& info, std::size_t solutions) {
   return fmt::format("<header>\n<h1>{}</h1>\n<dl>\n{}</dl>\n</header>\n", escape_markup(info.title), facts);
 }
 
+std::string plan(const GalleryEntry& entry) {
+  return fmt::format("<div class=\"plan\">{}</div>\n", entry.plan);
+}
+
+/// Returns the picture, which shows the plan when somebody asks for it.
 std::string picture(const GalleryEntry& entry) {
-  if (!entry.plan.empty()) return fmt::format("<div class=\"plan\">{}</div>\n", entry.plan);
+  return fmt::format(
+      "<img src=\"{}\" alt=\"Picture of {}\" "
+      "loading=\"lazy\">\n<details><summary>Plan</summary>{}</details>\n",
+      href(entry.picture), escape_markup(entry.name), plan(entry));
+}
+
+std::string view(const GalleryEntry& entry) {
+  if (!entry.picture.empty()) return picture(entry);
+  if (!entry.plan.empty()) return plan(entry);
   return fmt::format("<p class=\"value alone\">{}</p>\n",
                      entry.value.empty() ? "no value" : escape_markup(entry.value));
 }
@@ -86,9 +101,8 @@ std::string card(const GalleryEntry& entry) {
       "<article id=\"solution-{}\">\n{}<div class=\"text\"><h2>{}</h2>\n{}{}<p "
       "class=\"facts\"><span>{}</span>{}{}</p>"
       "</div>\n</article>\n",
-      entry.index, picture(entry), escape_markup(entry.name), value, remarks,
-      counted(entry.choices, "choice"), link(entry.glb, "3D scene (.glb)", entry.glb),
-      link(entry.json, "data (.json)", entry.json));
+      entry.index, view(entry), escape_markup(entry.name), value, remarks, counted(entry.choices, "choice"),
+      link(entry.glb, "3D scene (.glb)", entry.glb), link(entry.json, "data (.json)", entry.json));
 }
 
 }  // namespace

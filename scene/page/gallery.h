@@ -23,6 +23,7 @@ struct GalleryEntry {
   std::string value;  // the solution's value as short text, or ""
   std::size_t choices = 0;
   std::vector<std::string> remarks;  // lines below the value
+  std::string picture;               // a PNG's file name, or "" where the plan stands for it
 };
 
 /// Returns a self-contained HTML page without scripts, which loads nothing from a network. It shows the

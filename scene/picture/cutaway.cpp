@@ -1,0 +1,150 @@
+#include "scene/picture/cutaway.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace solitaire {
+namespace {
+
+constexpr double kCutHeight = 0.3;     // metres that are left of a wall
+constexpr double kLowestWall = 1.0;    // metres; what is lower hides little
+constexpr double kThickestWall = 0.6;  // metres, of plain boxes
+constexpr double kOverlap = 0.25;      // metres of a thing that a wall may hide or stand on
+constexpr std::size_t kMostComparisons = 20'000'000;
+
+/// Returns true if the text has this as one of its words.
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end]))) return true;
+  }
+  return false;
+}
+
+bool says(const SceneObject& object, std::string_view word) {
+  return has_word(object.thing.asset, word) || has_word(object.thing.name, word);
+}
+
+bool is_wall(const SceneObject& object) {
+  const Vec3& size = object.box.size;
+  if (size[2] < kLowestWall) return false;
+  if (says(object, "wall")) return true;
+  const double thick = std::min(size[0], size[1]), wide = std::max(size[0], size[1]);
+  return object.thing.asset.empty() && thick <= kThickestWall && wide >= 3 * thick;
+}
+
+/// An interval of how far along a direction something lies, in multiples of the direction.
+struct Reach {
+  double from = 0, to = 1;
+
+  /// Keeps the part in which low <= at + step * t <= high.
+  void limit(double low, double high, double at, double step) {
+    if (step == 0) {
+      if (at < low || at > high) to = -1;
+      return;
+    }
+    const double a = (low - at) / step, b = (high - at) / step;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+};
+
+/// The things that a wall could hide, a little smaller than they are.
+Box3 core(const PlacedBox& box) {
+  Box3 core = bounds(box);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double by = std::min(kOverlap, (core.high[axis] - core.low[axis]) / 2);
+    core.low[axis] += by;
+    core.high[axis] -= by;
+  }
+  return core;
+}
+
+/// Returns true if the wall, which hides what lies behind it as far as `shadow` reaches, hides a part of
+/// `thing`.
+bool hides(const Box3& wall, const Box3& thing, const std::array<double, 2>& shadow) {
+  Reach reach;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    reach.limit(thing.low[axis] - (wall.high[axis] - wall.low[axis]), thing.high[axis], wall.low[axis],
+                shadow[axis]);
+  }
+  return reach.from <= reach.to && thing.low[2] < wall.high[2];
+}
+
+bool is_within(const Vec3& point, const Box3& box) {
+  return point[0] > box.low[0] && point[0] < box.high[0] && point[1] > box.low[1] && point[1] < box.high[1] &&
+         point[2] < box.high[2];
+}
+
+/// Finds the walls to cut, and what is cut with them.
+class Cutaway {
+ public:
+  Cutaway(const Scene& scene, const Vec3& to_camera) : scene_(scene), to_camera_(to_camera) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      if (is_wall(scene.objects[i])) walls_.push_back({i, bounds(scene.objects[i].box), {}});
+    }
+  }
+
+  std::vector<std::optional<double>> heights() {
+    std::vector<std::optional<double>> heights(scene_.objects.size());
+    if (to_camera_[1] <= 0 || walls_.size() * scene_.objects.size() > kMostComparisons) return heights;
+    sort_others();
+    for (const Wall& wall : walls_) {
+      if (!hides_something(wall.box)) continue;
+      const double height = wall.box.low[2] + kCutHeight;
+      heights[wall.object] = height;
+      for (const std::size_t fixture : wall.fixtures) heights[fixture] = height;
+    }
+    return heights;
+  }
+
+ private:
+  struct Wall {
+    std::size_t object;
+    Box3 box;
+    std::vector<std::size_t> fixtures;  // the objects in it that go with it
+  };
+
+  /// Tells what is in a wall from what a wall may hide. Doors are neither: one wants to see them.
+  void sort_others() {
+    std::size_t next_wall = 0;
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      if (next_wall < walls_.size() && walls_[next_wall].object == i) {
+        ++next_wall;
+        continue;
+      }
+      const SceneObject& object = scene_.objects[i];
+      const auto around = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& wall) {
+        return is_within(object.box.center, wall.box);
+      });
+      if (around == walls_.end()) {
+        hidden_.push_back(core(object.box));
+      } else if (!says(object, "door")) {
+        around->fixtures.push_back(i);
+      }
+    }
+  }
+
+  bool hides_something(const Box3& wall) const {
+    // glTF's z runs against the program's y.
+    const double length = (wall.high[2] - wall.low[2]) / to_camera_[1];
+    const std::array<double, 2> shadow{-to_camera_[0] * length, to_camera_[2] * length};
+    return std::any_of(hidden_.begin(), hidden_.end(),
+                       [&](const Box3& thing) { return hides(wall, thing, shadow); });
+  }
+
+  const Scene& scene_;
+  Vec3 to_camera_;
+  std::vector<Wall> walls_;   // in the order of their objects
+  std::vector<Box3> hidden_;  // the cores of what a wall may hide
+};
+
+}  // namespace
+
+std::vector<std::optional<double>> cut_heights(const Scene& scene, const Vec3& to_camera) {
+  return Cutaway(scene, to_camera).heights();
+}
+
+}  // namespace solitaire

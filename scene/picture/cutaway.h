@@ -1,0 +1,18 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace solitaire {
+
+/// Returns for each object the height in metres above which it is left out of a picture, or nothing for an
+/// object that is shown whole. Walls that stand between the camera and something else are cut off low, so
+/// that one sees into rooms, and with each wall the windows and other things in it, but not its
+/// doors.
+///
+/// Walls are things whose model or name says so ("wall", "back wall"), and plain boxes as thin and tall as
+/// walls. Scenes of more than ten thousand walls are shown whole.
+std::vector<std::optional<double>> cut_heights(const Scene& scene, const Vec3& to_camera);
+
+}  // namespace solitaire

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/picture/image.h"
+#include "scene/picture/traced_shapes.h"
+#include "scene/scene.h"
+
+namespace solitaire {
+
+struct PictureSize {
+  std::size_t width = 640, height = 480;  // pixels
+};
+
+struct Picture {
+  static constexpr std::int32_t kNothing = -1;
+
+  Image image;
+  std::vector<std::int32_t>
+      objects;  // for each pixel, in rows from above: the index of the object, or kNothing
+};
+
+/// Draws scenes. It keeps what it knows of their assets, which must live as long, for the next one. Only one
+/// thread at a time may use it.
+class Painter {
+ public:
+  /// A picture is drawn by so many threads at a time; it does not depend on their number.
+  explicit Painter(std::size_t threads = 1) : threads_(threads) {}
+
+  /// Draws the scene as its default camera sees it, or as the given one does, with the walls cut low that
+  /// hide something. The same scene gives the same picture, on all processors. Throws SceneError.
+  Picture draw(const Scene& scene, const PictureSize& size);
+  Picture draw(const Scene& scene, const PictureSize& size, const Camera& camera);
+
+ private:
+  std::size_t threads_;
+  TracedShapes shapes_;
+};
+
+}  // namespace solitaire

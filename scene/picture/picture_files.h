@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/picture/picture.h"
+
+namespace solitaire {
+
+/// Writes the pictures of a run's scenes, and at the end a contact sheet of them all, into a folder. Only one
+/// thread at a time may use it.
+class PictureFiles {
+ public:
+  PictureFiles(std::filesystem::path folder, const PictureSize& size, std::size_t threads)
+      : folder_(std::move(folder)), size_(size), painter_(threads) {}
+
+  /// Draws the scene into NAME.png and returns that name. Throws SceneError.
+  std::string draw(const Scene& scene, const std::string& name);
+
+  /// Takes up the picture of the scene that an earlier run left, and draws it only if there is none of this
+  /// size.
+  std::string take_up(const Scene& scene, const std::string& name);
+
+  /// Writes sheet.png if there is a picture. Throws SceneError.
+  void close() const;
+
+ private:
+  std::filesystem::path folder_;
+  PictureSize size_;
+  Painter painter_;
+  std::vector<std::filesystem::path> pictures_;
+};
+
+}  // namespace solitaire

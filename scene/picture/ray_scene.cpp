@@ -1,0 +1,132 @@
+#include "scene/picture/ray_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace solitaire {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+RTCRay to_embree(const Ray& ray) {
+  RTCRay traced{};
+  traced.org_x = ray.origin.x, traced.org_y = ray.origin.y, traced.org_z = ray.origin.z;
+  traced.dir_x = ray.direction.x, traced.dir_y = ray.direction.y, traced.dir_z = ray.direction.z;
+  traced.tfar = kInfinity;
+  traced.mask = ~0U;
+  return traced;
+}
+
+Vector towards(const Vector& normal, const Vector& viewer) {
+  return dot(normal, viewer) < 0 ? -normal : normal;
+}
+
+}  // namespace
+
+RayScene::RayScene(TracedShapes& shapes, const Scene& scene, const std::vector<std::optional<double>>& cut)
+    : scene_(rtcNewScene(shapes.device())) {
+  measure(scene);
+  objects_.reserve(scene.objects.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) add(shapes, scene.objects[i], cut[i]);
+  rtcCommitScene(scene_.get());
+  check_embree(shapes.device());
+}
+
+void RayScene::measure(const Scene& scene) {
+  Box3 all;  // in the program's axes
+  for (const SceneObject& object : scene.objects) {
+    const Box3 box = bounds(object.box);
+    all.include(box.low);
+    all.include(box.high);
+  }
+  if (all.empty()) return;
+  middle_ = {(all.low[0] + all.high[0]) / 2, (all.low[2] + all.high[2]) / 2, -(all.low[1] + all.high[1]) / 2};
+  const Vec3 size = all.size();
+  radius_ = static_cast<float>(std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]) / 2);
+  ground_ = static_cast<float>(all.low[2] - middle_[1]);
+}
+
+const std::vector<Finish>& RayScene::finishes(const Shape& shape, const std::optional<Color>& color) {
+  if (!color) return shape.finishes;
+  const auto [place, is_new] = recolored_.try_emplace({&shape, *color}, shape.finishes);
+  if (is_new) {
+    for (Finish& finish : place->second) {
+      if (finish.is_primary) finish.color = to_vector(to_linear(*color));
+    }
+  }
+  return place->second;
+}
+
+void RayScene::add(TracedShapes& shapes, const SceneObject& object, std::optional<double> cut) {
+  const Affine move = to_affine({{-middle_[0], -middle_[1], -middle_[2]}, {0, 0, 0, 1}, {1, 1, 1}});
+  const Affine map = move * to_affine(object.node_transform);
+  const TracedShape& whole = shapes.of(object.asset);
+  const std::optional<Color> color = object.asset ? object.thing.color : object.color;
+  if (!cut) {
+    objects_.push_back({&whole.shape, NormalMap(map), &finishes(whole.shape, color)});
+    return attach(shapes.device(), whole.scene.get(), map);
+  }
+  const Box3 box = object.asset ? object.asset->box : unit_box();
+  auto& part = cut_shapes_.emplace_back(
+      std::make_unique<TracedShape>(shapes.prepare(cut_below(whole.shape, box, map, *cut - middle_[1]))));
+  objects_.push_back({&part->shape, NormalMap(Affine{}), &finishes(part->shape, color)});
+  attach(shapes.device(), part->scene.get(), Affine{});
+}
+
+void RayScene::attach(RTCDevice device, RTCScene shape, const Affine& map) {
+  const Embree<RTCGeometry> instance(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+  rtcSetGeometryInstancedScene(instance.get(), shape);
+  std::array<float, 12> rows{};
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<float>(map.rows[i / 4][i % 4]);
+  rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, rows.data());
+  rtcCommitGeometry(instance.get());
+  rtcAttachGeometryByID(scene_.get(), instance.get(), static_cast<unsigned>(objects_.size()) - 1);
+}
+
+std::optional<Hit> RayScene::trace(const Ray& ray) const {
+  RTCRayHit found{};
+  found.ray = to_embree(ray);
+  found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene_.get(), &context, &found);
+  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return hit_of(ray, found);
+}
+
+std::array<bool, 4> RayScene::are_free(const Vector& origin, const std::array<Vector, 4>& directions) const {
+  alignas(16) constexpr std::array<int, 4> kAll{-1, -1, -1, -1};
+  RTCRay4 rays{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    rays.org_x[i] = origin.x, rays.org_y[i] = origin.y, rays.org_z[i] = origin.z;
+    rays.dir_x[i] = directions[i].x, rays.dir_y[i] = directions[i].y, rays.dir_z[i] = directions[i].z;
+    rays.tfar[i] = kInfinity;
+    rays.mask[i] = ~0U;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded4(kAll.data(), scene_.get(), &context, &rays);
+  return {rays.tfar[0] >= 0, rays.tfar[1] >= 0, rays.tfar[2] >= 0, rays.tfar[3] >= 0};
+}
+
+Hit RayScene::hit_of(const Ray& ray, const RTCRayHit& found) const {
+  Hit hit;
+  hit.object = found.hit.instID[0];
+  hit.distance = found.ray.tfar;
+  const Object& object = objects_[hit.object];
+  const Shape& shape = *object.shape;
+  const Shape::Triangle& triangle = shape.triangles[found.hit.primID];
+  const auto& [a, b, c] = triangle.corners;
+  const Vector flat =
+      object.normals.apply(cross(shape.points[b] - shape.points[a], shape.points[c] - shape.points[a]));
+  const float u = found.hit.u, v = found.hit.v;
+  const Vector smooth = shape.normals[a] * (1 - u - v) + shape.normals[b] * u + shape.normals[c] * v;
+  hit.flat_normal = towards(flat, -ray.direction);
+  hit.normal = towards(object.normals.apply(smooth), hit.flat_normal);
+  hit.finish = &(*object.finishes)[triangle.finish];
+  hit.point = ray.origin + ray.direction * hit.distance;
+  return hit;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,64 @@
+#include "scene/picture/traced_shapes.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "scene/error.h"
+
+namespace solitaire {
+namespace {
+
+/// One instruction set for all processors, so that all of them compute the same picture; and one thread, so
+/// that trees are always built alike.
+constexpr const char* kConfiguration = "isa=sse4.2,threads=1";
+
+template <typename Element>
+void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count,
+          const Element& element) {
+  using Stored = decltype(element(0));
+  auto* to = static_cast<Stored*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Stored), count));
+  if (to == nullptr) throw SceneError("there is not enough memory for a picture");
+  for (std::size_t i = 0; i < count; ++i) to[i] = element(i);
+}
+
+}  // namespace
+
+void check_embree(RTCDevice device) {
+  switch (rtcGetDeviceError(device)) {
+    case RTC_ERROR_NONE:
+      return;
+    case RTC_ERROR_OUT_OF_MEMORY:
+      throw SceneError("there is not enough memory for a picture");
+    case RTC_ERROR_UNSUPPORTED_CPU:
+      throw SceneError("pictures need a processor with SSE4.2");
+    default:
+      throw SceneError("Embree could not trace the scene");
+  }
+}
+
+TracedShapes::TracedShapes() : device_(rtcNewDevice(kConfiguration)) { check_embree(device_.get()); }
+
+const TracedShape& TracedShapes::of(const Asset* asset) {
+  const auto known = known_.find(asset);
+  if (known != known_.end()) return known->second;
+  return known_.emplace(asset, prepare(asset == nullptr ? box_shape() : shape_of(*asset))).first->second;
+}
+
+TracedShape TracedShapes::prepare(Shape shape) const {
+  TracedShape traced{std::move(shape), Embree<RTCScene>(rtcNewScene(device()))};
+  const Embree<RTCGeometry> geometry(rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  check_embree(device());
+  if (!traced.shape.triangles.empty()) {
+    fill(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, traced.shape.points.size(),
+         [&](std::size_t i) { return traced.shape.points[i]; });
+    fill(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, traced.shape.triangles.size(),
+         [&](std::size_t i) { return traced.shape.triangles[i].corners; });
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(traced.scene.get(), geometry.get(), 0);
+  }
+  rtcCommitScene(traced.scene.get());
+  check_embree(device());
+  return traced;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,32 @@
+#pragma once
+#include <map>
+
+#include "scene/picture/embree.h"
+#include "scene/picture/shape.h"
+
+namespace solitaire {
+
+/// A shape together with what Embree knows of it.
+struct TracedShape {
+  Shape shape;
+  Embree<RTCScene> scene;
+};
+
+/// Prepares shapes for the ray tracer, each asset's once. Only one thread at a time may use it.
+class TracedShapes {
+ public:
+  /// Throws SceneError if there is no ray tracer for this processor.
+  TracedShapes();
+
+  /// Returns the shape of the asset, or that of the unit box for nullptr. It lives as long as this.
+  const TracedShape& of(const Asset* asset);
+
+  TracedShape prepare(Shape shape) const;
+  RTCDevice device() const { return device_.get(); }
+
+ private:
+  Embree<RTCDevice> device_;
+  std::map<const Asset*, TracedShape> known_;  // looked up only: its order never shows
+};
+
+}  // namespace solitaire
