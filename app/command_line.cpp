@@ -21,6 +21,7 @@ void add_generate_options(CLI::App& command, Options& options) {
                    "go on with the run that left its solutions in the folder, without repeating any");
   command.add_flag("--timings", options.timings,
                    "keep the times in the .json files, which then differ from run to run");
+  add_picture_options(command, options);
 }
 
 void add_solve_options(CLI::App& command, Options& options) {

@@ -27,6 +27,12 @@ std::string check_formula_name(const std::string& name) {
              : fmt::format("'{}' ends neither in .smt2, for SMT-LIB, nor in .cnf, for DIMACS", name);
 }
 
+std::string check_picture_size(const std::string& text) {
+  if (parse_picture_size(text)) return "";
+  return fmt::format("'{}' is no size of a picture; write one like 640x480, of at most 16 million pixels",
+                     text);
+}
+
 /// Adds an option that can be given several times, each time with one value.
 CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                             const std::string& help) {
@@ -182,6 +188,20 @@ void add_search_options(CLI::App& command, Options& options) {
               "are none: as SMT-LIB (.smt2) or as clauses (.cnf)")
           ->check(CLI::Validator(check_formula_name, "FILE.smt2|FILE.cnf"));
   for (CLI::Option* other : {relax, all, formula, min_distance}) sample->excludes(other);
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  command.add_flag_callback(
+      "--png",
+      [&] {
+        if (!options.pictures) options.pictures.emplace();
+      },
+      "also draw a picture of each scene (.png), and a contact sheet of them all (sheet.png)");
+  command
+      .add_option_function<std::string>(
+          "--png-size", [&](const std::string& text) { options.pictures = parse_picture_size(text); },
+          "draw pictures of so many pixels (default 640x480)")
+      ->check(CLI::Validator(check_picture_size, "WIDTHxHEIGHT"));
 }
 
 void add_count_options(CLI::App& command, Options& options) {

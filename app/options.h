@@ -34,6 +34,7 @@ struct Options {
   bool json = false;
   bool timings = false;
   bool resume = false;
+  std::optional<PictureSize> pictures;  // of the scenes
   bool deep = false;
   bool quiet = false;
   std::optional<double> timeout;  // seconds, for the whole run
@@ -51,6 +52,8 @@ void add_program_options(CLI::App& command, Options& options);
 void add_solver_options(CLI::App& command, Options& options);
 /// Adds the options of the subcommands that look for solutions.
 void add_search_options(CLI::App& command, Options& options);
+/// Adds the options of the subcommand that writes scenes.
+void add_picture_options(CLI::App& command, Options& options);
 /// Adds those of the subcommand that counts.
 void add_count_options(CLI::App& command, Options& options);
 

@@ -1,3 +1,4 @@
+#include <charconv>
 #include <fmt/format.h>
 #include <solitaire/output.h>
 #include <solitaire/solitaire.h>
@@ -12,6 +13,7 @@
 #include "scene/gltf/writer.h"
 #include "scene/page/gallery.h"
 #include "scene/page/plan.h"
+#include "scene/picture/picture_files.h"
 
 namespace solitaire::api {
 namespace {
@@ -55,9 +57,20 @@ void write_glb(const Solution& solution, const Program& program, const std::stri
   });
 }
 
+std::optional<PictureSize> parse_picture_size(const std::string& text) {
+  solitaire::PictureSize size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  if (height.ec != std::errc() || height.ptr != end || !size.is_possible()) return std::nullopt;
+  return PictureSize{size.width, size.height};
+}
+
 class OutputFolder::State {
  public:
-  State(const fs::path& folder, const Program& program, const SearchOptions& options, bool timings)
+  State(const fs::path& folder, const Program& program, const SearchOptions& options, bool timings,
+        const std::optional<PictureSize>& pictures)
       : folder_(folder),
         program_(program),
         options_(options),
@@ -65,6 +78,8 @@ class OutputFolder::State {
         assets_(assets_of(program)) {
     make_folder(folder);
     remove_abandoned_files(folder);
+    if (pictures)
+      pictures_.emplace(folder, solitaire::PictureSize{pictures->width, pictures->height}, options.jobs);
   }
 
   void resume(Search& search) {
@@ -76,20 +91,25 @@ class OutputFolder::State {
       const auto& optimal = earlier[solution.number - 1].optimal;
       if (solution.quality && optimal) solution.quality->proved_best = *optimal;
       GalleryEntry entry = entry_of(solution);
-      draw(entry, solution);
+      const auto scene = draw(entry, solution);
+      if (scene && pictures_) entry.picture = pictures_->take_up(*scene, entry.name);
       entries_.push_back(std::move(entry));
     }
   }
 
   void add(const Solution& solution, const Summary& summary) {
     GalleryEntry entry = entry_of(solution);
-    if (const auto scene = draw(entry, solution)) solitaire::write_glb(*scene, folder_ / entry.glb);
+    if (const auto scene = draw(entry, solution)) {
+      solitaire::write_glb(*scene, folder_ / entry.glb);
+      if (pictures_) entry.picture = pictures_->draw(*scene, entry.name);
+    }
     // The last of the files: where it is, the others are.
     write_file_atomically(folder_ / entry.json, json(entry.name, solution, summary));
     entries_.push_back(std::move(entry));
   }
 
   std::optional<fs::path> close(const Summary& summary, std::optional<Ending> ending, StopReason reason) {
+    if (pictures_) pictures_->close();
     std::optional<fs::path> page;
     if (!entries_.empty()) {
       page = folder_ / "index.html";
@@ -161,13 +181,15 @@ class OutputFolder::State {
   SearchOptions options_;
   bool timings_;
   AssetLibrary assets_;
+  std::optional<PictureFiles> pictures_;
   std::vector<GalleryEntry> entries_;
 };
 
 OutputFolder::OutputFolder(const fs::path& folder, const Program& program, const SearchOptions& options,
-                           bool timings)
-    : state_(translated(program.state().program.sources,
-                        [&] { return std::make_unique<State>(folder, program, options, timings); })) {}
+                           bool timings, const std::optional<PictureSize>& pictures)
+    : state_(translated(program.state().program.sources, [&] {
+        return std::make_unique<State>(folder, program, options, timings, pictures);
+      })) {}
 OutputFolder::~OutputFolder() = default;
 
 void OutputFolder::resume(Search& search) {

@@ -15,8 +15,6 @@
 namespace solitaire {
 namespace {
 
-constexpr std::size_t kMostPixels = 1U << 24;
-
 /// Where an edge runs through a pixel, it is looked at in so many places, no two of them in one row or
 /// column.
 constexpr std::array<std::array<float, 2>, 8> kPlaces{{{0.0625F, 0.4375F},
@@ -246,8 +244,7 @@ Picture Painter::draw(const Scene& scene, const PictureSize& size) {
 }
 
 Picture Painter::draw(const Scene& scene, const PictureSize& size, const Camera& camera) {
-  if (size.width == 0 || size.height == 0 || size.width > kMostPixels / size.height)
-    throw SceneError("a picture has at least one pixel and at most 16 million");
+  if (!size.is_possible()) throw SceneError("a picture has at least one pixel and at most 16 million");
   const Vec3 to_camera{-camera.forward[0], -camera.forward[1], -camera.forward[2]};
   const RayScene traced(shapes_, scene, cut_heights(scene, to_camera));
   return Drawing(traced, camera, size).draw(threads_);

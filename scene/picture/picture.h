@@ -6,14 +6,11 @@
 
 #include "scene/camera.h"
 #include "scene/picture/image.h"
+#include "scene/picture/picture_size.h"
 #include "scene/picture/traced_shapes.h"
 #include "scene/scene.h"
 
 namespace solitaire {
-
-struct PictureSize {
-  std::size_t width = 640, height = 480;  // pixels
-};
 
 struct Picture {
   static constexpr std::int32_t kNothing = -1;

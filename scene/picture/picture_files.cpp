@@ -2,6 +2,7 @@
 
 #include "scene/atomic_file.h"
 #include "scene/error.h"
+#include "scene/picture/picture.h"
 #include "scene/picture/png.h"
 #include "scene/picture/sheet.h"
 
@@ -19,9 +20,14 @@ bool is_picture(const std::filesystem::path& file, const PictureSize& size) {
 
 }  // namespace
 
+PictureFiles::PictureFiles(std::filesystem::path folder, const PictureSize& size, std::size_t threads)
+    : folder_(std::move(folder)), size_(size), painter_(std::make_unique<Painter>(threads)) {}
+
+PictureFiles::~PictureFiles() = default;
+
 std::string PictureFiles::draw(const Scene& scene, const std::string& name) {
   const std::string file = name + ".png";
-  write_file_atomically(folder_ / file, png_bytes(painter_.draw(scene, size_).image));
+  write_file_atomically(folder_ / file, png_bytes(painter_->draw(scene, size_).image));
   pictures_.push_back(folder_ / file);
   return file;
 }

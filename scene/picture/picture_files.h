@@ -1,19 +1,23 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "scene/picture/picture.h"
+#include "scene/picture/picture_size.h"
+#include "scene/scene.h"
 
 namespace solitaire {
+
+class Painter;
 
 /// Writes the pictures of a run's scenes, and at the end a contact sheet of them all, into a folder. Only one
 /// thread at a time may use it.
 class PictureFiles {
  public:
-  PictureFiles(std::filesystem::path folder, const PictureSize& size, std::size_t threads)
-      : folder_(std::move(folder)), size_(size), painter_(threads) {}
+  PictureFiles(std::filesystem::path folder, const PictureSize& size, std::size_t threads);
+  ~PictureFiles();
 
   /// Draws the scene into NAME.png and returns that name. Throws SceneError.
   std::string draw(const Scene& scene, const std::string& name);
@@ -28,7 +32,7 @@ class PictureFiles {
  private:
   std::filesystem::path folder_;
   PictureSize size_;
-  Painter painter_;
+  std::unique_ptr<Painter> painter_;
   std::vector<std::filesystem::path> pictures_;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,15 +14,23 @@ namespace solitaire::api {
 SOLITAIRE_API void write_glb(const Solution& solution, const Program& program, const std::string& title,
                              const std::filesystem::path& path);
 
+/// The size of a picture in pixels: at least 1 x 1, and at most 16 million in all.
+struct PictureSize {
+  std::size_t width = 640, height = 480;
+};
+
+/// Reads a size such as "640x480". Returns nothing for a text that is no size of a picture.
+SOLITAIRE_API std::optional<PictureSize> parse_picture_size(const std::string& text);
+
 /// A folder with the files of a run, as docs/formats.md describes them: for each solution a scene and a .json
 /// file; a page that shows all, and what there is to say about the run as a whole. Use it from one thread at
 /// a time. All of it throws Error (kFile).
 class SOLITAIRE_API OutputFolder {
  public:
   /// Makes the folder if need be. With `timings`, files say how long things took, and then differ from run to
-  /// run.
+  /// run. With `pictures`, each scene is drawn in that size, on as many threads as the search has jobs.
   OutputFolder(const std::filesystem::path& folder, const Program& program, const SearchOptions& options,
-               bool timings = false);
+               bool timings = false, const std::optional<PictureSize>& pictures = std::nullopt);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
