@@ -53,6 +53,18 @@ void read_front(const AssetModel& model, Asset& asset) {
   if (asset.has_front) asset.front_turns = static_cast<int>(side - kByTurns.begin());
 }
 
+/// An author may also state that a model keeps its proportions ("keeps_proportions": true), and that it is a
+/// wall or what opens walls ("role": "wall" or "opening").
+void read_use(const AssetModel& model, Asset& asset) {
+  const auto& extras = model.gltf.nodes[static_cast<std::size_t>(model.roots.front())].extras;
+  if (extras.Has("keeps_proportions") && extras.Get("keeps_proportions").IsBool())
+    asset.keeps_proportions = extras.Get("keeps_proportions").Get<bool>();
+  if (!extras.Has("role") || !extras.Get("role").IsString()) return;
+  const auto& role = extras.Get("role").Get<std::string>();
+  if (role == "wall") asset.role = Asset::Role::kWall;
+  if (role == "opening") asset.role = Asset::Role::kOpening;
+}
+
 Asset load_asset(const fs::path& file) {
   auto model = std::make_shared<AssetModel>();
   model->gltf = read_gltf(file);
@@ -65,6 +77,7 @@ Asset load_asset(const fs::path& file) {
   if (asset.box.empty()) throw SceneError(fmt::format("cannot use {}: it shows nothing", file.string()));
   asset.color = material_color(*model);
   read_front(*model, asset);
+  read_use(*model, asset);
   asset.model = std::move(model);
   return asset;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -13,10 +14,15 @@ struct AssetModel;  // scene/gltf/asset_model.h; keeps glTF out of this header
 
 /// A 3D model that placed things share.
 struct Asset {
+  /// Openings are doors and windows, for which walls are opened.
+  enum class Role : std::uint8_t { kThing, kWall, kOpening };
+
   std::string name;     // "chair"
   Box3 box;             // of all its vertices; glTF axes, metres
   int front_turns = 0;  // quarter turns about +Y that bring its front to +Z
   bool has_front = true;
+  bool keeps_proportions = false;  // as a tree does, and a table does not
+  Role role = Role::kThing;
   Color color{};  // of its primary material
   std::shared_ptr<const AssetModel> model;
 };

@@ -9,6 +9,7 @@
 
 #include "scene/error.h"
 #include "scene/names.h"
+#include "scene/text.h"
 
 namespace solitaire {
 namespace {
@@ -26,7 +27,8 @@ Vec3 natural_size(const Asset& asset) {
   return asset.front_turns % 2 == 0 ? Vec3{size[0], size[2], size[1]} : Vec3{size[2], size[0], size[1]};
 }
 
-Vec3 size_of(const PlacedThing& thing, const Asset* asset, double unit) {
+/// Returns the size that the program asks for: width, depth, height.
+Vec3 wanted_size(const PlacedThing& thing, const Asset* asset, double unit) {
   const auto& wanted = thing.size;
   if (!wanted.empty() && wanted.size() != 2 && wanted.size() != 3)
     fail(thing, "size needs [w, d] or [w, d, h]");
@@ -44,13 +46,23 @@ Vec3 size_of(const PlacedThing& thing, const Asset* asset, double unit) {
   return size;
 }
 
+/// Returns the size that the thing has where this is wanted. A model that keeps its proportions is as large
+/// as the wanted ground allows, unless its height is wanted, too.
+Vec3 fitted_size(const PlacedThing& thing, const Asset* asset, const Vec3& wanted) {
+  if (!asset || !asset->keeps_proportions || thing.size.size() != 2) return wanted;
+  const Vec3 natural = natural_size(*asset);
+  const double scale = std::min(wanted[0] / natural[0], wanted[1] / natural[1]);
+  return {natural[0] * scale, natural[1] * scale, natural[2] * scale};
+}
+
 PlacedBox place_box(const PlacedThing& thing, const Asset* asset, double unit) {
   PlacedBox box;
-  box.size = size_of(thing, asset, unit);
+  const Vec3 wanted = wanted_size(thing, asset, unit);
+  box.size = fitted_size(thing, asset, wanted);
   const int turn = ((thing.turn % 4) + 4) % 4;
   box.angle = thing.angle ? *thing.angle : turn * 90.0;
   const bool swapped = !thing.angle && turn % 2 == 1;
-  const Vec3 half{box.size[swapped ? 1 : 0] / 2, box.size[swapped ? 0 : 1] / 2, 0};
+  const Vec3 half{wanted[swapped ? 1 : 0] / 2, wanted[swapped ? 0 : 1] / 2, 0};
   for (int axis = 0; axis < 3; ++axis) {
     const double low = thing.at[axis] * unit;
     if (!(std::abs(low) <= kLargest)) fail(thing, "at is not finite or beyond measure");
@@ -143,6 +155,11 @@ Box3 bounds(const PlacedBox& box) {
           {box.center[0] + x, box.center[1] + y, box.top()}};
 }
 
+bool is_wall(const SceneObject& object) {
+  if (object.asset) return object.asset->role == Asset::Role::kWall;
+  return has_word(object.thing.name, "wall") || has_word(object.thing.asset, "wall");
+}
+
 std::string plain_name(const SceneObject& object) {
   if (!object.thing.name.empty()) return object.thing.name;
   if (object.asset) return object.asset->name;
@@ -160,6 +177,7 @@ Scene build_scene(const std::vector<PlacedThing>& things, double unit, const std
     scene.objects.push_back(make_object(thing, unit, assets));
     tree.add(scene.objects.size() - 1);
   }
+  make_openings(scene);
   return scene;
 }
 

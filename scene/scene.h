@@ -6,6 +6,7 @@
 #include "scene/assets.h"
 #include "scene/color.h"
 #include "scene/geometry.h"
+#include "scene/openings.h"
 #include "scene/placed_thing.h"
 
 namespace solitaire {
@@ -23,8 +24,9 @@ struct SceneObject {
   PlacedThing thing;
   const Asset* asset = nullptr;  // nullptr: a plain box
   PlacedBox box;
-  Color color{};             // as a plan shows it
-  Transform node_transform;  // of its glTF node: brings the asset, or the unit box, to its place
+  Color color{};                  // as a plan shows it
+  Transform node_transform;       // of its glTF node: brings the asset, or the unit box, to its place
+  std::vector<Opening> openings;  // of a wall
 };
 
 /// A node of the scene's tree: an object, or a group for one call of the program.
@@ -47,6 +49,10 @@ Box3 unit_box();
 
 /// Returns the least box along the program's axes that holds this one.
 Box3 bounds(const PlacedBox& box);
+
+/// Returns true for a wall, which doors and windows open: an asset that says so, or a plain box that has
+/// "wall" as a word of its name.
+bool is_wall(const SceneObject& object);
 
 /// Returns the object's name before it is made unique: the program's name for it, or that of its asset.
 std::string plain_name(const SceneObject& object);

@@ -59,6 +59,15 @@ std::string escape_markup(std::string_view text) {
   return escaped;
 }
 
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end]))) return true;
+  }
+  return false;
+}
+
 double text_width(std::string_view utf8) {
   // From Hangul and CJK onward a glyph may fill its square.
   double width = 0;

@@ -61,6 +61,16 @@ AssetSketch& AssetSketch::of(const Surface& surface) {
   return *this;
 }
 
+AssetSketch& AssetSketch::keep_proportions() {
+  keeps_proportions_ = true;
+  return *this;
+}
+
+AssetSketch& AssetSketch::role(const std::string& role) {
+  role_ = role;
+  return *this;
+}
+
 AssetSketch& AssetSketch::block(const Vec3& low, const Vec3& high, const Affine& map) {
   mesh().add_box({low, high}, map);
   return *this;
@@ -155,6 +165,22 @@ AssetSketch& AssetSketch::turned(double x, double z, const std::vector<std::arra
   return *this;
 }
 
+AssetSketch& AssetSketch::extruded(const std::vector<std::array<double, 2>>& outline, double z0, double z1,
+                                   const Affine& map) {
+  std::vector<Vec3> front, back;
+  for (const auto& [x, y] : outline) {
+    front.push_back({x, y, z1});
+    back.push_back({x, y, z0});
+  }
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const std::size_t next = (i + 1) % outline.size();
+    mesh().face({front[i], back[i], back[next], front[next]}, map);
+  }
+  mesh().face(front, map);
+  mesh().face({back.rbegin(), back.rend()}, map);
+  return *this;
+}
+
 AssetSketch& AssetSketch::leaf(const Vec3& root, const Vec3& middle, const Vec3& tip, double width) {
   const Vec3 along{tip[0] - root[0], 0, tip[2] - root[2]};
   const Vec3 side = normalized({along[2], 0, -along[0]});
@@ -202,10 +228,13 @@ void AssetSketch::write(const std::filesystem::path& file) {
   tinygltf::Node node;
   node.name = name_;
   node.mesh = 0;
-  node.extras = tinygltf::Value(tinygltf::Value::Object{
+  tinygltf::Value::Object extras = {
       {"footprint", tinygltf::Value(tinygltf::Value::Array{length(size[0]), length(size[2])})},
       {"height", length(size[1])},
-      {"front", tinygltf::Value(front_)}});
+      {"front", tinygltf::Value(front_)}};
+  if (keeps_proportions_) extras["keeps_proportions"] = tinygltf::Value(true);
+  if (!role_.empty()) extras["role"] = tinygltf::Value(role_);
+  node.extras = tinygltf::Value(std::move(extras));
   model.nodes.push_back(std::move(node));
   model.scenes.emplace_back();
   model.scenes.back().nodes = {0};

@@ -23,6 +23,11 @@ class AssetSketch {
 
   const std::string& name() const { return name_; }
 
+  /// States that a size of its ground alone does not change the model's proportions.
+  AssetSketch& keep_proportions();
+  /// States what walls take the model for: "wall" or "opening".
+  AssetSketch& role(const std::string& role);
+
   /// What follows is made of this. The first surface used is the primary one, which a program's color
   /// replaces.
   AssetSketch& of(const Surface& surface);
@@ -37,6 +42,9 @@ class AssetSketch {
   /// not 0.
   AssetSketch& turned(double x, double z, const std::vector<std::array<double, 2>>& rings, int sides = 16,
                       const Affine& map = {});
+  /// An outline of (x, y) corners, convex and counter-clockwise seen from the front, drawn out from z0 to z1.
+  AssetSketch& extruded(const std::vector<std::array<double, 2>>& outline, double z0, double z1,
+                        const Affine& map = {});
   /// A pointed leaf from `root`, bent at `middle`, to `tip`; seen from both sides.
   AssetSketch& leaf(const Vec3& root, const Vec3& middle, const Vec3& tip, double width);
 
@@ -55,6 +63,8 @@ class AssetSketch {
 
   std::string name_;
   std::string front_;  // "+Z" or "none"
+  bool keeps_proportions_ = false;
+  std::string role_;
   std::vector<Part> parts_;
   std::size_t current_ = 0;
 };

@@ -148,6 +148,7 @@ AssetSketch whiteboard() {
 // sides.
 AssetSketch door() {
   AssetSketch d("door", "+Z");
+  d.role("opening");
   const double face = 0.07, frame = 0.09;
   d.of(kOak).block({-0.4, 0.005, -face}, {0.4, 2.04, face});
   for (const int s : {-1, 1}) {
@@ -173,6 +174,7 @@ AssetSketch door() {
 
 AssetSketch plant() {
   AssetSketch p("plant", "none");
+  p.keep_proportions();
   p.of(kLeaves);
   const int leaves = 22;
   for (int i = 0; i < leaves; ++i) {
@@ -208,6 +210,7 @@ AssetSketch desk() {
 
 AssetSketch lamp() {
   AssetSketch l("lamp", "none");
+  l.keep_proportions();
   l.of({"shade", {0.98, 0.90, 0.74}, 0.9, 0, 0.35}).turned(0, 0, {{0.2, 1.3}, {0.14, 1.6}}, 24);
   l.of(kDark).turned(0, 0, {{0.15, 0}, {0.15, 0.02}, {0.03, 0.035}, {0.012, 0.05}, {0.012, 1.3}}, 24);
   return l;
@@ -242,6 +245,7 @@ AssetSketch rug() {
 // Walls and floors are stretched to any size: nothing on them may look stretched.
 AssetSketch wall() {
   AssetSketch w("wall", "none");
+  w.role("wall");
   w.of({"plaster", {0.91, 0.89, 0.85}, 0.95}).block({-0.5, 0, -0.06}, {0.5, 2.6, 0.06});
   return w;
 }
@@ -254,6 +258,7 @@ AssetSketch floor_slab() {
 
 AssetSketch window() {
   AssetSketch w("window", "+Z");
+  w.role("opening");
   const double glass = 0.065, bar = 0.08, frame = 0.09;
   w.of(kWhite);
   for (const int s : {-1, 1}) {
@@ -334,6 +339,7 @@ AssetSketch column() {
 
 AssetSketch tree() {
   AssetSketch t("tree", "none");
+  t.keep_proportions();
   t.of(kLeaves);
   const auto crown = [&](double x, double z, double y, double r) {
     std::vector<std::array<double, 2>> rings;
@@ -352,10 +358,46 @@ AssetSketch tree() {
   return t;
 }
 
+// ---- plain shapes of one metre
+
+const Surface kPlain{"plain", {0.78, 0.76, 0.72}, 0.8};
+
+AssetSketch cylinder() {
+  AssetSketch c("cylinder", "none");
+  c.of(kPlain).turned(0, 0, {{0.5, 0}, {0.5, 1}}, 32);
+  return c;
+}
+
+AssetSketch cone() {
+  AssetSketch c("cone", "none");
+  c.of(kPlain).turned(0, 0, {{0.5, 0}, {0, 1}}, 32);
+  return c;
+}
+
+AssetSketch sphere() {
+  AssetSketch s("sphere", "none");
+  s.keep_proportions();
+  const int steps = 12;
+  std::vector<std::array<double, 2>> rings;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = std::numbers::pi * i / steps;
+    rings.push_back({i == 0 || i == steps ? 0 : 0.5 * std::sin(angle), 0.5 - 0.5 * std::cos(angle)});
+  }
+  s.of(kPlain).turned(0, 0, rings, 24);
+  return s;
+}
+
+/// Rises from its front to its back.
+AssetSketch wedge() {
+  AssetSketch w("wedge", "+Z");
+  w.of(kPlain).extruded({{-0.5, 0}, {0.5, 0}, {0.5, 1}}, -0.5, 0.5, turned_about_y(90));
+  return w;
+}
+
 void write_all(const std::filesystem::path& folder) {
-  constexpr std::array kModels = {table,  chair,        sofa,  armchair, bookcase, whiteboard, door,
-                                  plant,  desk,         lamp,  cabinet,  rug,      wall,       floor_slab,
-                                  window, office_chair, stool, bed,      column,   tree};
+  constexpr std::array kModels = {table, chair, sofa,    armchair, bookcase, whiteboard, door,   plant,
+                                  desk,  lamp,  cabinet, rug,      wall,     floor_slab, window, office_chair,
+                                  stool, bed,   column,  tree,     cylinder, cone,       sphere, wedge};
   for (const auto model : kModels) {
     AssetSketch sketch = model();
     sketch.write(folder / (sketch.name() + ".glb"));

@@ -15,13 +15,15 @@ class BoxMeshes {
   explicit BoxMeshes(tinygltf::Model& to) : to_(to) {}
 
   int mesh(const Color& color);
+  int material(const Color& color);
 
  private:
   void add_geometry();
 
   tinygltf::Model& to_;
   std::optional<tinygltf::Primitive> geometry_;
-  std::map<std::string, int> by_color_;
+  std::map<std::string, int> meshes_;  // by the colour's text
+  std::map<std::string, int> materials_;
 };
 
 }  // namespace solitaire

@@ -29,6 +29,11 @@ class MeshCopier {
   /// Returns the output's mesh for the asset's mesh. A colour replaces that of the primary material.
   int mesh(int index, const std::optional<Color>& color);
 
+  /// Returns the output's material for the asset's primary one, with this colour if there is one.
+  int primary_material(const std::optional<Color>& color) {
+    return material(source_.primary_material, color);
+  }
+
  private:
   using Variant = std::pair<int, std::string>;  // an index in the asset, a colour's hex text or ""
 

@@ -57,8 +57,14 @@ class Verifier {
     check_box(index, check_sharing(index, object, name).box, object, name);
   }
 
-  /// An object's asset and colour, which decide what meshes it has.
-  using Look = std::pair<const Asset*, std::string>;
+  /// What decides which meshes an object has.
+  struct Look {
+    const Asset* asset;
+    std::string color;
+    const SceneObject* itself;  // of a wall with openings, which shares its mesh with nothing
+
+    auto operator<=>(const Look&) const = default;
+  };
 
   struct Meshes {
     std::set<int> indices;
@@ -67,7 +73,8 @@ class Verifier {
 
   const Meshes& check_sharing(int index, const SceneObject& object, const std::string& name) {
     const bool colored = !object.asset || object.thing.color;
-    const auto [place, is_new] = looks_.try_emplace(Look{object.asset, colored ? hex(object.color) : ""});
+    const auto [place, is_new] = looks_.try_emplace(
+        Look{object.asset, colored ? hex(object.color) : "", object.openings.empty() ? nullptr : &object});
     Meshes& known = place->second;
     Meshes found;
     collect(index, found.indices);

@@ -10,6 +10,7 @@
 #include "scene/gltf/asset_model.h"
 #include "scene/gltf/box_mesh.h"
 #include "scene/gltf/extras.h"
+#include "scene/gltf/mesh_builder.h"
 #include "scene/gltf/mesh_copy.h"
 #include "scene/gltf/verify.h"
 #include "scene/names.h"
@@ -73,7 +74,9 @@ class ModelBuilder {
   void fill(tinygltf::Node& node, const SceneObject& object) {
     set_transform(node, object.node_transform);
     node.extras = make_extras(object.thing);
-    if (!object.asset) {
+    if (!object.openings.empty()) {
+      node.mesh = wall_with_openings(object, node.name);
+    } else if (!object.asset) {
       node.mesh = boxes_.mesh(object.color);
     } else if (const AssetModel& model = *object.asset->model; model.is_single_mesh()) {
       const auto& root = model.gltf.nodes[static_cast<std::size_t>(model.roots.front())];
@@ -81,6 +84,21 @@ class ModelBuilder {
     } else {
       node.children = copy_nodes(*object.asset, model.roots, object.thing.color);
     }
+  }
+
+  /// A wall with openings has a mesh of its own, made of blocks.
+  int wall_with_openings(const SceneObject& object, const std::string& name) {
+    MeshBuilder builder;
+    for (const Box3& part : solid_parts(object.asset ? object.asset->box : unit_box(), object.openings))
+      builder.add_box(part);
+    tinygltf::Mesh mesh;
+    mesh.name = name;
+    mesh.primitives.push_back(builder.write(model_));
+    mesh.primitives.back().material = object.asset
+                                          ? copier(*object.asset).primary_material(object.thing.color)
+                                          : boxes_.material(object.color);
+    model_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(model_.meshes.size()) - 1;
   }
 
   std::vector<int> copy_nodes(const Asset& asset, const std::vector<int>& nodes,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "scene/text.h"
+
 namespace solitaire {
 namespace {
 
@@ -13,24 +15,14 @@ constexpr double kThickestWall = 0.6;  // metres, of plain boxes
 constexpr double kOverlap = 0.25;      // metres of a thing that a wall may hide or stand on
 constexpr std::size_t kMostComparisons = 20'000'000;
 
-/// Returns true if the text has this as one of its words.
-bool has_word(std::string_view text, std::string_view word) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end]))) return true;
-  }
-  return false;
-}
-
 bool says(const SceneObject& object, std::string_view word) {
   return has_word(object.thing.asset, word) || has_word(object.thing.name, word);
 }
 
-bool is_wall(const SceneObject& object) {
+bool is_like_wall(const SceneObject& object) {
   const Vec3& size = object.box.size;
   if (size[2] < kLowestWall) return false;
-  if (says(object, "wall")) return true;
+  if (is_wall(object) || says(object, "wall")) return true;
   const double thick = std::min(size[0], size[1]), wide = std::max(size[0], size[1]);
   return object.thing.asset.empty() && thick <= kThickestWall && wide >= 3 * thick;
 }
@@ -83,7 +75,7 @@ class Cutaway {
  public:
   Cutaway(const Scene& scene, const Vec3& to_camera) : scene_(scene), to_camera_(to_camera) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      if (is_wall(scene.objects[i])) walls_.push_back({i, bounds(scene.objects[i].box), {}});
+      if (is_like_wall(scene.objects[i])) walls_.push_back({i, bounds(scene.objects[i].box), {}});
     }
   }
 

@@ -61,22 +61,25 @@ const std::vector<Finish>& RayScene::finishes(const Shape& shape, const std::opt
 void RayScene::add(TracedShapes& shapes, const SceneObject& object, std::optional<double> cut) {
   const Affine move = to_affine({{-middle_[0], -middle_[1], -middle_[2]}, {0, 0, 0, 1}, {1, 1, 1}});
   const Affine map = move * to_affine(object.node_transform);
-  const TracedShape& whole = shapes.of(object.asset);
-  const std::optional<Color> color = object.asset ? object.thing.color : object.color;
-  if (!cut) {
-    objects_.push_back({&whole.shape, NormalMap(map), &finishes(whole.shape, color)});
-    return attach(shapes.device(), whole.scene.get(), map);
-  }
   const Box3 box = object.asset ? object.asset->box : unit_box();
-  auto& part = cut_shapes_.emplace_back(
-      std::make_unique<TracedShape>(shapes.prepare(cut_below(whole.shape, box, map, *cut - middle_[1]))));
-  objects_.push_back({&part->shape, NormalMap(Affine{}), &finishes(part->shape, color)});
-  attach(shapes.device(), part->scene.get(), Affine{});
+  const std::optional<Color> color = object.asset ? object.thing.color : object.color;
+  const TracedShape* shape = &shapes.of(object.asset);
+  if (!object.openings.empty())
+    shape = &own(shapes.prepare(blocks(solid_parts(box, object.openings), shape->shape.finishes.front())));
+  if (!cut) return attach(shapes.device(), *shape, map, color);
+  attach(shapes.device(), own(shapes.prepare(cut_below(shape->shape, box, map, *cut - middle_[1]))), Affine{},
+         color);
 }
 
-void RayScene::attach(RTCDevice device, RTCScene shape, const Affine& map) {
+const TracedShape& RayScene::own(TracedShape shape) {
+  return *own_shapes_.emplace_back(std::make_unique<TracedShape>(std::move(shape)));
+}
+
+void RayScene::attach(RTCDevice device, const TracedShape& shape, const Affine& map,
+                      const std::optional<Color>& color) {
+  objects_.push_back({&shape.shape, NormalMap(map), &finishes(shape.shape, color)});
   const Embree<RTCGeometry> instance(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
-  rtcSetGeometryInstancedScene(instance.get(), shape);
+  rtcSetGeometryInstancedScene(instance.get(), shape.scene.get());
   std::array<float, 12> rows{};
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<float>(map.rows[i / 4][i % 4]);
   rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, rows.data());

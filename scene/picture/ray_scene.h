@@ -53,14 +53,16 @@ class RayScene {
   void measure(const Scene& scene);
   const std::vector<Finish>& finishes(const Shape& shape, const std::optional<Color>& color);
   void add(TracedShapes& shapes, const SceneObject& object, std::optional<double> cut);
-  void attach(RTCDevice device, RTCScene shape, const Affine& map);
+  const TracedShape& own(TracedShape shape);
+  void attach(RTCDevice device, const TracedShape& shape, const Affine& map,
+              const std::optional<Color>& color);
   Hit hit_of(const Ray& ray, const RTCRayHit& found) const;
 
   Vec3 middle_{};
   float radius_ = 1;
   float ground_ = 0;
   std::vector<Object> objects_;
-  std::vector<std::unique_ptr<TracedShape>> cut_shapes_;
+  std::vector<std::unique_ptr<TracedShape>> own_shapes_;  // of objects that are cut or opened
   std::map<std::pair<const Shape*, Color>, std::vector<Finish>> recolored_;
   Embree<RTCScene> scene_;
 };

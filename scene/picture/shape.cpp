@@ -133,6 +133,22 @@ void add_polygon(Shape& shape, const std::vector<Corner>& corners, std::uint32_t
     shape.triangles.push_back({{first, first + i - 1, first + i}, finish});
 }
 
+void add_box(Shape& shape, const Box3& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+    for (const int side : {0, 1}) {
+      const int at = side << axis;
+      Vec3 normal{};
+      normal[static_cast<std::size_t>(axis)] = side == 1 ? 1 : -1;
+      std::vector<Corner> corners;
+      for (const int corner : {at, at | u, at | u | v, at | v})
+        corners.push_back({to_vector(box.corner(corner)), to_vector(normal)});
+      if (side == 0) std::reverse(corners.begin(), corners.end());
+      add_polygon(shape, corners, 0);
+    }
+  }
+}
+
 /// Puts a lid on a box that was cut. The map turns it about the up axis only.
 void close(Shape& cut, const Box3& box, const Affine& map, double height) {
   const Box3 mapped = transformed(map, box);
@@ -159,27 +175,16 @@ Shape shape_of(const Asset& asset) {
 }
 
 Shape box_shape() {
+  Finish finish;
+  finish.roughness = 0.8F;
+  return blocks({unit_box()}, finish);
+}
+
+Shape blocks(const std::vector<Box3>& boxes, const Finish& finish) {
   Shape shape;
-  shape.finishes.push_back({});
+  shape.finishes.push_back(finish);
   shape.finishes.back().is_primary = true;
-  shape.finishes.back().roughness = 0.8F;
-  const Box3 box = unit_box();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int side = 0; side < 2; ++side) {
-      const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, at = side << axis;
-      const float out = side == 1 ? 1.0F : -1.0F;
-      const Vector normal{axis == 0 ? out : 0, axis == 1 ? out : 0, axis == 2 ? out : 0};
-      const auto first = static_cast<std::uint32_t>(shape.points.size());
-      const std::array corners =
-          side == 1 ? std::array{at, at | u, at | u | v, at | v} : std::array{at, at | v, at | u | v, at | u};
-      for (const int corner : corners) {
-        shape.points.push_back(to_vector(box.corner(corner)));
-        shape.normals.push_back(normal);
-      }
-      shape.triangles.push_back({{first, first + 1, first + 2}, 0});
-      shape.triangles.push_back({{first, first + 2, first + 3}, 0});
-    }
-  }
+  for (const Box3& box : boxes) add_box(shape, box);
   return shape;
 }
 

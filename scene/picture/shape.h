@@ -36,6 +36,9 @@ Shape shape_of(const Asset& asset);
 /// Returns the unit box, which stands on the ground around the origin.
 Shape box_shape();
 
+/// Returns blocks of one finish, which is the primary one.
+Shape blocks(const std::vector<Box3>& boxes, const Finish& finish);
+
 /// Returns the part of the mapped shape below the height y. Where `box`, which holds the shape, reaches above
 /// it, the cut is closed with the dark fill that plans give to cut walls.
 Shape cut_below(const Shape& shape, const Box3& box, const Affine& map, double height);
