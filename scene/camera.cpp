@@ -60,16 +60,19 @@ Camera fitted_camera(const std::vector<Vec3>& points, const Vec3& to_camera, dou
 
   const double slope_up = kHalfHeight / kMargin, slope_right = slope_up * aspect;
   Extent right, up;
-  double nearest = Box3::kInfinity;
+  double nearest = Box3::kInfinity, farthest = -Box3::kInfinity;
   for (const Vec3& point : points) {
     const double ahead = dot(point, camera.forward);
     right.include(dot(point, camera.right), ahead, slope_right);
     up.include(dot(point, camera.up), ahead, slope_up);
     nearest = std::min(nearest, ahead);
+    farthest = std::max(farthest, ahead);
   }
   const double back = std::max(right.distance(slope_right), up.distance(slope_up));
   // A scene without any extent would leave the eye within it.
   const double ahead = std::min(-back, nearest - 1e-3);
+  camera.nearest = nearest - ahead;
+  camera.farthest = farthest - ahead;
   for (int axis = 0; axis < 3; ++axis) {
     camera.position[axis] =
         right.middle() * camera.right[axis] + up.middle() * camera.up[axis] + ahead * camera.forward[axis];

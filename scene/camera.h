@@ -12,6 +12,7 @@ struct Camera {
   Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // of length 1, at right angles to each other
   double half_height = 0;                               // of what it sees at a distance of 1
   double aspect = 1;                                    // width divided by height
+  double nearest = 0, farthest = 0;                     // of the points that it was fitted to, how far ahead
 };
 
 /// Returns the unit vector from a scene to the camera that looks at it: from its front, its right and above,

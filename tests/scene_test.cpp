@@ -7,6 +7,7 @@
 #include "scene/gltf/writer.h"
 #include "scene/names.h"
 #include "scene/page/plan.h"
+#include "scene/sun.h"
 #include "tests/scene_fixture.h"
 
 namespace solitaire {
@@ -157,7 +158,7 @@ TEST_CASE("scene: a user's file is copied with its hierarchy, materials and imag
   CHECK(written["materials"].size() == 2);
   std::set<std::string> names;
   for (const json& node : written["nodes"]) names.insert(node["name"].get<std::string>());
-  CHECK(names.size() == 1 + 2 * 4);
+  CHECK(names.size() == 3 + 2 * 4);  // with the camera and the sun
   const auto& view = written["bufferViews"][written["images"][0]["bufferView"].get<std::size_t>()];
   const auto offset = 28 + word(read_file(path), 12) + view.value("byteOffset", 0u);
   CHECK(read_file(path).substr(offset, view["byteLength"]) == read_file(folder / "a picture.png"));
@@ -220,7 +221,7 @@ TEST_CASE("scene: a program that places nothing still gives a valid file") {
   const Scene scene = build_scene({}, 1, "queens", assets);
   write_glb(scene, folder / "queens.glb");
   CHECK(svg_plan(scene) == "");
-  CHECK(read_gltf(folder / "queens.glb").nodes.size() == 1);
+  CHECK(read_gltf(folder / "queens.glb").nodes.size() == 3);  // its root, the camera and the sun
 }
 
 TEST_CASE("scene: reading back finds what does not belong to the scene") {
@@ -341,6 +342,46 @@ TEST_CASE("scene: a model that keeps its proportions is as large as its ground a
   check_point(scene.objects[1].box.center, {10 + natural[0] / 4, 24.5, 0});
   check_point(scene.objects[2].box.size, {1, 1, 8});
   check_point(scene.objects[3].box.size, natural);
+}
+
+/// What a node's rotation makes of a vector.
+Vec3 rotated(const json& node, const Vec3& v) {
+  const auto& q = node["rotation"];
+  const Affine map = to_affine({{}, {q[0], q[1], q[2], q[3]}, {1, 1, 1}});
+  return map.apply(v);
+}
+
+TEST_CASE("scene: every file has a camera that looks at the scene, and a sun") {
+  AssetLibrary assets = bundled();
+  PlacedThing named_so = placed("", {3, 4, 0}, {2, 2, 2});
+  named_so.name = "camera";
+  const json file = json_of(glb_bytes(build_scene({named_so}, 1, "test", assets)));
+  const json& camera = node_named(file, "camera (2)");
+  CHECK(camera["camera"] == 0);
+  CHECK(file["cameras"][0]["type"] == "perspective");
+  const Vec3 ahead = rotated(camera, {0, 0, -1}), up = rotated(camera, {0, 1, 0});
+  CHECK(ahead[1] < -0.3);
+  CHECK(up[1] > 0.3);
+  check_point({rotated(camera, {1, 0, 0})[1], 0, 0}, {0, 0, 0});  // its horizon is level
+  // Seen from the camera, the middle of the box is about ahead, and farther away than the nearest thing it
+  // shows.
+  const Vec3 middle{4, 1, -5};
+  Vec3 way{};
+  double along = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    way[i] = middle[i] - camera["translation"][i].get<double>();
+    along += way[i] * ahead[i];
+  }
+  CHECK(along > 0.97 * std::hypot(way[0], way[1], way[2]));
+  CHECK(along > file["cameras"][0]["perspective"]["znear"].get<double>());
+  CHECK(along < file["cameras"][0]["perspective"]["zfar"].get<double>());
+
+  const json& sun = node_named(file, "sun");
+  CHECK(sun["extensions"]["KHR_lights_punctual"]["light"] == 0);
+  CHECK(file["extensions"]["KHR_lights_punctual"]["lights"][0]["type"] == "directional");
+  CHECK(file["extensionsUsed"] == json{"KHR_lights_punctual"});
+  const Vec3 shines = rotated(sun, {0, 0, -1});
+  check_point(shines, {-to_sun()[0], -to_sun()[1], -to_sun()[2]}, 1e-5);
 }
 
 }  // namespace solitaire

@@ -24,7 +24,9 @@ class Verifier {
   void verify() {
     check_names();
     const auto roots = root_nodes(model_);
-    require(roots.size() == 1, "its root", scene_.title);
+    require(roots.size() == 3, "its root", scene_.title);
+    require(node(roots[1]).camera == 0 && model_.cameras.size() == 1, "the camera", scene_.title);
+    require(node(roots[2]).extensions.contains("KHR_lights_punctual"), "the sun", scene_.title);
     check_node(roots.front(), scene_.nodes.front());
   }
 

@@ -12,6 +12,7 @@
 #include "scene/gltf/extras.h"
 #include "scene/gltf/mesh_builder.h"
 #include "scene/gltf/mesh_copy.h"
+#include "scene/gltf/staging.h"
 #include "scene/gltf/verify.h"
 #include "scene/names.h"
 
@@ -52,6 +53,7 @@ class ModelBuilder {
     tinygltf::Scene shown;
     shown.name = scene_.nodes.front().name;
     shown.nodes.push_back(add(scene_.nodes.front()));
+    add_camera_and_sun(model_, shown, scene_, names_);
     model_.scenes.push_back(std::move(shown));
     model_.defaultScene = 0;
     if (model_.buffers.front().data.empty()) model_.buffers.clear();

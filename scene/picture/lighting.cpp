@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "scene/sun.h"
 
 namespace solitaire {
 namespace {
@@ -68,7 +69,7 @@ struct Frame {
 
 }  // namespace
 
-Vector Lighting::to_sun() { return normalized({1.15F, 1.25F, 0.3F}); }
+Vector Lighting::to_sun() { return to_vector(solitaire::to_sun()); }
 Vector Lighting::sun_color() { return kSunColor; }
 
 Vector Lighting::sky(const Vector& direction) {
