@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 
@@ -92,9 +93,24 @@ Transform node_transform(const PlacedBox& box, const Asset* asset) {
   return transform;
 }
 
-Color color_of(const PlacedThing& thing, const Asset* asset) {
-  if (thing.color) return *thing.color;
-  return asset ? asset->color : color_of_name(thing.asset);
+/// Returns the material that a further argument names, nothing if there is no such argument.
+std::optional<Paint> material_of(const PlacedThing& thing) {
+  const auto named =
+      std::ranges::find(thing.extras, "material", [](const auto& extra) { return extra.first; });
+  if (named == thing.extras.end()) return std::nullopt;
+  const auto name = nlohmann::json::parse(named->second, nullptr, false);
+  const auto material = name.is_string() ? material_named(name.get<std::string>()) : std::nullopt;
+  if (!material)
+    fail(thing, fmt::format("there is no material {}; there are {}", named->second, material_names()));
+  return material;
+}
+
+/// Returns what the thing is painted with. A colour beside a material tints it: the finish stays.
+std::optional<Paint> paint_of(const PlacedThing& thing, const Asset* asset) {
+  std::optional<Paint> paint = material_of(thing);
+  if (!paint && (thing.color || !asset)) paint = Paint{"", color_of_name(thing.asset), std::nullopt};
+  if (thing.color) paint->color = *thing.color;
+  return paint;
 }
 
 SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& assets) {
@@ -106,7 +122,8 @@ SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& ass
     fail(thing, error.what());
   }
   object.box = place_box(thing, object.asset, unit);
-  object.color = color_of(thing, object.asset);
+  object.paint = paint_of(thing, object.asset);
+  object.color = object.paint ? object.paint->color : object.asset->color;
   object.node_transform = node_transform(object.box, object.asset);
   return object;
 }

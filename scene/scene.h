@@ -7,6 +7,7 @@
 #include "scene/color.h"
 #include "scene/geometry.h"
 #include "scene/openings.h"
+#include "scene/paint.h"
 #include "scene/placed_thing.h"
 
 namespace solitaire {
@@ -24,6 +25,7 @@ struct SceneObject {
   PlacedThing thing;
   const Asset* asset = nullptr;  // nullptr: a plain box
   PlacedBox box;
+  std::optional<Paint> paint;     // always of a plain box
   Color color{};                  // as a plan shows it
   Transform node_transform;       // of its glTF node: brings the asset, or the unit box, to its place
   std::vector<Opening> openings;  // of a wall

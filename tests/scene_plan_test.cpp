@@ -109,9 +109,10 @@ TEST_CASE("gallery: a picture stands before the plan, whatever its name") {
 }
 
 TEST_CASE("gallery: entries in the given order, the value in place of a plan, nothing from elsewhere") {
-  const std::string page = gallery_html({"queens", "queens.sol", "7", {}},
-                                        {{2, "queens-0002", "", "", "queens-0002.json", "[1, 3]", 4, {}, ""},
-                                         {1, "queens-0001", "", "", "queens-0001.json", "[2, 0]", 1, {}, ""}});
+  const std::string page =
+      gallery_html({"queens", "queens.sol", "7", {}},
+                   {{2, "queens-0002", "", "", "queens-0002.json", "[1, 3]", 4, {}, ""},
+                    {1, "queens-0001", "", "", "queens-0001.json", "[2, 0]", 1, {}, ""}});
   CHECK(page.find("queens-0002") < page.find("queens-0001"));
   CHECK(page.find("<p class=\"value alone\">[1, 3]</p>") != std::string::npos);
   CHECK(page.find("4 choices") != std::string::npos);

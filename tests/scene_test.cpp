@@ -384,4 +384,43 @@ TEST_CASE("scene: every file has a camera that looks at the scene, and a sun") {
   check_point(shines, {-to_sun()[0], -to_sun()[1], -to_sun()[2]}, 1e-5);
 }
 
+TEST_CASE("scene: a material gives its colour and finish to the primary surface, and a colour tints it") {
+  TemporaryFolder folder;
+  AssetLibrary assets = bundled();
+  const auto of = [&](PlacedThing thing, const std::string& material) {
+    thing.extras = {{"material", material}};
+    return thing;
+  };
+  PlacedThing tinted = of(placed("chair", {4, 0, 0}), "\"steel\"");
+  tinted.color = {{1, 0, 0}};
+  const Scene scene =
+      build_scene({of(placed("chair", {0, 0, 0}), "\"steel\""), of(placed("", {2, 0, 0}), "\"brick\""),
+                   tinted, placed("chair", {6, 0, 0})},
+                  1, "test", assets);
+  write_glb(scene, folder / "a.glb");
+  const json file = json_of(read_file(folder / "a.glb"));
+  const auto surface = [&](const std::string& node, std::size_t primitive) {
+    const auto& mesh = file["meshes"][node_named(file, node)["mesh"].get<std::size_t>()];
+    return file["materials"][mesh["primitives"][primitive]["material"].get<std::size_t>()]
+               ["pbrMetallicRoughness"];
+  };
+  const auto number = [](const json& pbr, const char* name) { return pbr.value(name, 1.0); };  // glTF's own
+  CHECK(number(surface("chair", 0), "metallicFactor") == 1);
+  CHECK(number(surface("chair", 0), "roughnessFactor") == doctest::Approx(0.35));
+  CHECK(number(surface("chair (3)", 0), "metallicFactor") == 0);
+  CHECK(surface("chair", 1) == surface("chair (3)", 1));  // the seat stays
+  CHECK(number(surface("box", 0), "roughnessFactor") == doctest::Approx(0.95));
+  CHECK(surface("chair (2)", 0)["baseColorFactor"] == json{1.0, 0.0, 0.0, 1.0});
+  CHECK(number(surface("chair (2)", 0), "metallicFactor") == 1);
+  CHECK(node_named(file, "chair")["extras"]["material"] == "steel");
+
+  for (const char* wrong : {"\"stel\"", "5", "null", "[\"oak\"]"}) {
+    const std::string error = error_of([&] {
+      build_scene({of(placed("", {0, 0, 0}), wrong)}, 1, "test", assets);
+    });
+    CHECK(error.find(std::string("test.sol:1:1: there is no material ") + wrong) == 0);
+    CHECK(error.find("oak, walnut") != std::string::npos);
+  }
+}
+
 }  // namespace solitaire

@@ -21,7 +21,7 @@ tinygltf::Material to_material(const Surface& surface) {
     const Color light = to_linear(surface.color);
     for (const double part : light) material.emissiveFactor.push_back(rounded(part * surface.glow, 6));
   }
-  return recolored(std::move(material), surface.color);
+  return painted(std::move(material), {"", surface.color, std::nullopt});
 }
 
 Vec3 normalized(const Vec3& v) {

@@ -4,25 +4,25 @@
 #include <string>
 #include <tiny_gltf.h>
 
-#include "scene/color.h"
+#include "scene/paint.h"
 
 namespace solitaire {
 
 /// Writes the unit box on the ground around the origin into an output file: its geometry once, and a mesh for
-/// each colour.
+/// each paint.
 class BoxMeshes {
  public:
   explicit BoxMeshes(tinygltf::Model& to) : to_(to) {}
 
-  int mesh(const Color& color);
-  int material(const Color& color);
+  int mesh(const Paint& paint);
+  int material(const Paint& paint);
 
  private:
   void add_geometry();
 
   tinygltf::Model& to_;
   std::optional<tinygltf::Primitive> geometry_;
-  std::map<std::string, int> meshes_;  // by the colour's text
+  std::map<std::string, int> meshes_;  // by the paint's text
   std::map<std::string, int> materials_;
 };
 

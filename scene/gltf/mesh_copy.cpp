@@ -38,7 +38,7 @@ std::string sniffed_mime_type(const unsigned char* bytes, std::size_t size) {
   return "";
 }
 
-std::string variant_of(const std::optional<Color>& color) { return color ? hex(*color) : ""; }
+std::string variant_of(const std::optional<Paint>& paint) { return paint ? paint->text() : ""; }
 
 std::string variant_name(const std::string& base, const std::string& variant) {
   return harmless_name(variant.empty() ? base : base + " " + variant);
@@ -67,26 +67,30 @@ int append_view(tinygltf::Model& to, const std::vector<unsigned char>& bytes, in
   return append(to.bufferViews, std::move(view));
 }
 
-tinygltf::Material recolored(tinygltf::Material material, const Color& color) {
-  const Color linear = to_linear(color);
-  auto& factor = material.pbrMetallicRoughness.baseColorFactor;
-  std::copy(linear.begin(), linear.end(), factor.begin());  // alpha stays
+tinygltf::Material painted(tinygltf::Material material, const Paint& paint) {
+  const Color linear = to_linear(paint.color);
+  auto& pbr = material.pbrMetallicRoughness;
+  std::copy(linear.begin(), linear.end(), pbr.baseColorFactor.begin());  // alpha stays
+  if (paint.finish) {
+    pbr.roughnessFactor = paint.finish->roughness;
+    pbr.metallicFactor = paint.finish->metallic;
+  }
   return material;
 }
 
-int MeshCopier::mesh(int index, const std::optional<Color>& color) {
-  const auto [place, is_new] = meshes_.try_emplace({index, variant_of(color)}, 0);
+int MeshCopier::mesh(int index, const std::optional<Paint>& paint) {
+  const auto [place, is_new] = meshes_.try_emplace({index, variant_of(paint)}, 0);
   if (!is_new) return place->second;
   const auto& source = at(from_.meshes, index);
   tinygltf::Mesh copy;
   const std::string base = from_.meshes.size() == 1 || source.name.empty() ? asset_name_ : source.name;
-  copy.name = variant_name(base, variant_of(color));
-  for (const auto& each : source.primitives) copy.primitives.push_back(primitive(each, color));
+  copy.name = variant_name(base, variant_of(paint));
+  for (const auto& each : source.primitives) copy.primitives.push_back(primitive(each, paint));
   return place->second = append(to_.meshes, std::move(copy));
 }
 
 tinygltf::Primitive MeshCopier::primitive(const tinygltf::Primitive& source,
-                                          const std::optional<Color>& color) {
+                                          const std::optional<Paint>& paint) {
   tinygltf::Primitive copy;
   copy.mode = source.mode;
   for (const auto& [name, accessor] : source.attributes) {
@@ -94,7 +98,7 @@ tinygltf::Primitive MeshCopier::primitive(const tinygltf::Primitive& source,
   }
   if (source.indices != -1) copy.indices = indices(source.indices);
   const bool is_primary = source.material == source_.primary_material;
-  copy.material = material(source.material, is_primary ? color : std::nullopt);
+  copy.material = material(source.material, is_primary ? paint : std::nullopt);
   return copy;
 }
 
@@ -133,13 +137,13 @@ int MeshCopier::add_accessor(int accessor, int target, std::size_t alignment) {
   return append(to_.accessors, std::move(copy));
 }
 
-int MeshCopier::material(int index, const std::optional<Color>& color) {
-  if (index == -1 && !color) return -1;
-  const auto [place, is_new] = materials_.try_emplace({index, variant_of(color)}, 0);
+int MeshCopier::material(int index, const std::optional<Paint>& paint) {
+  if (index == -1 && !paint) return -1;
+  const auto [place, is_new] = materials_.try_emplace({index, variant_of(paint)}, 0);
   if (!is_new) return place->second;
   tinygltf::Material copy = index == -1 ? tinygltf::Material() : copied_material(index);
-  copy.name = variant_name(copy.name.empty() ? asset_name_ : copy.name, variant_of(color));
-  if (color) copy = recolored(std::move(copy), *color);
+  copy.name = variant_name(copy.name.empty() ? asset_name_ : copy.name, variant_of(paint));
+  if (paint) copy = painted(std::move(copy), *paint);
   return place->second = append(to_.materials, std::move(copy));
 }
 

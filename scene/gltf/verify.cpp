@@ -62,7 +62,7 @@ class Verifier {
   /// What decides which meshes an object has.
   struct Look {
     const Asset* asset;
-    std::string color;
+    std::string paint;
     const SceneObject* itself;  // of a wall with openings, which shares its mesh with nothing
 
     auto operator<=>(const Look&) const = default;
@@ -74,9 +74,8 @@ class Verifier {
   };
 
   const Meshes& check_sharing(int index, const SceneObject& object, const std::string& name) {
-    const bool colored = !object.asset || object.thing.color;
-    const auto [place, is_new] = looks_.try_emplace(
-        Look{object.asset, colored ? hex(object.color) : "", object.openings.empty() ? nullptr : &object});
+    const auto [place, is_new] = looks_.try_emplace(Look{
+        object.asset, object.paint ? object.paint->text() : "", object.openings.empty() ? nullptr : &object});
     Meshes& known = place->second;
     Meshes found;
     collect(index, found.indices);

@@ -79,12 +79,12 @@ class ModelBuilder {
     if (!object.openings.empty()) {
       node.mesh = wall_with_openings(object, node.name);
     } else if (!object.asset) {
-      node.mesh = boxes_.mesh(object.color);
+      node.mesh = boxes_.mesh(*object.paint);
     } else if (const AssetModel& model = *object.asset->model; model.is_single_mesh()) {
       const auto& root = model.gltf.nodes[static_cast<std::size_t>(model.roots.front())];
-      node.mesh = copier(*object.asset).mesh(root.mesh, object.thing.color);
+      node.mesh = copier(*object.asset).mesh(root.mesh, object.paint);
     } else {
-      node.children = copy_nodes(*object.asset, model.roots, object.thing.color);
+      node.children = copy_nodes(*object.asset, model.roots, object.paint);
     }
   }
 
@@ -96,23 +96,22 @@ class ModelBuilder {
     tinygltf::Mesh mesh;
     mesh.name = name;
     mesh.primitives.push_back(builder.write(model_));
-    mesh.primitives.back().material = object.asset
-                                          ? copier(*object.asset).primary_material(object.thing.color)
-                                          : boxes_.material(object.color);
+    mesh.primitives.back().material =
+        object.asset ? copier(*object.asset).primary_material(object.paint) : boxes_.material(*object.paint);
     model_.meshes.push_back(std::move(mesh));
     return static_cast<int>(model_.meshes.size()) - 1;
   }
 
   std::vector<int> copy_nodes(const Asset& asset, const std::vector<int>& nodes,
-                              const std::optional<Color>& color) {
+                              const std::optional<Paint>& paint) {
     std::vector<int> copies;
     for (const int index : nodes) {
-      if (shows_something(asset.model->gltf, index)) copies.push_back(copy_node(asset, index, color));
+      if (shows_something(asset.model->gltf, index)) copies.push_back(copy_node(asset, index, paint));
     }
     return copies;
   }
 
-  int copy_node(const Asset& asset, int index, const std::optional<Color>& color) {
+  int copy_node(const Asset& asset, int index, const std::optional<Paint>& paint) {
     const auto& source = asset.model->gltf.nodes[static_cast<std::size_t>(index)];
     tinygltf::Node copy;
     copy.name = names_.take(source.name.empty() ? asset.name + " part" : source.name);
@@ -121,8 +120,8 @@ class ModelBuilder {
     copy.scale = source.scale;
     copy.matrix = source.matrix;
     copy.extras = source.extras;
-    if (source.mesh != -1) copy.mesh = copier(asset).mesh(source.mesh, color);
-    copy.children = copy_nodes(asset, source.children, color);
+    if (source.mesh != -1) copy.mesh = copier(asset).mesh(source.mesh, paint);
+    copy.children = copy_nodes(asset, source.children, paint);
     return append(std::move(copy));
   }
 

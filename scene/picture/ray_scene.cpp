@@ -22,6 +22,13 @@ Vector towards(const Vector& normal, const Vector& viewer) {
   return dot(normal, viewer) < 0 ? -normal : normal;
 }
 
+void paint_over(Finish& finish, const Paint& paint) {
+  finish.color = to_vector(to_linear(paint.color));
+  if (!paint.finish) return;
+  finish.roughness = static_cast<float>(paint.finish->roughness);
+  finish.metallic = static_cast<float>(paint.finish->metallic);
+}
+
 }  // namespace
 
 RayScene::RayScene(TracedShapes& shapes, const Scene& scene, const std::vector<std::optional<double>>& cut)
@@ -47,12 +54,12 @@ void RayScene::measure(const Scene& scene) {
   ground_ = static_cast<float>(all.low[2] - middle_[1]);
 }
 
-const std::vector<Finish>& RayScene::finishes(const Shape& shape, const std::optional<Color>& color) {
-  if (!color) return shape.finishes;
-  const auto [place, is_new] = recolored_.try_emplace({&shape, *color}, shape.finishes);
+const std::vector<Finish>& RayScene::finishes(const Shape& shape, const std::optional<Paint>& paint) {
+  if (!paint) return shape.finishes;
+  const auto [place, is_new] = painted_.try_emplace({&shape, *paint}, shape.finishes);
   if (is_new) {
     for (Finish& finish : place->second) {
-      if (finish.is_primary) finish.color = to_vector(to_linear(*color));
+      if (finish.is_primary) paint_over(finish, *paint);
     }
   }
   return place->second;
@@ -62,13 +69,12 @@ void RayScene::add(TracedShapes& shapes, const SceneObject& object, std::optiona
   const Affine move = to_affine({{-middle_[0], -middle_[1], -middle_[2]}, {0, 0, 0, 1}, {1, 1, 1}});
   const Affine map = move * to_affine(object.node_transform);
   const Box3 box = object.asset ? object.asset->box : unit_box();
-  const std::optional<Color> color = object.asset ? object.thing.color : object.color;
   const TracedShape* shape = &shapes.of(object.asset);
   if (!object.openings.empty())
     shape = &own(shapes.prepare(blocks(solid_parts(box, object.openings), shape->shape.finishes.front())));
-  if (!cut) return attach(shapes.device(), *shape, map, color);
+  if (!cut) return attach(shapes.device(), *shape, map, object.paint);
   attach(shapes.device(), own(shapes.prepare(cut_below(shape->shape, box, map, *cut - middle_[1]))), Affine{},
-         color);
+         object.paint);
 }
 
 const TracedShape& RayScene::own(TracedShape shape) {
@@ -76,8 +82,8 @@ const TracedShape& RayScene::own(TracedShape shape) {
 }
 
 void RayScene::attach(RTCDevice device, const TracedShape& shape, const Affine& map,
-                      const std::optional<Color>& color) {
-  objects_.push_back({&shape.shape, NormalMap(map), &finishes(shape.shape, color)});
+                      const std::optional<Paint>& paint) {
+  objects_.push_back({&shape.shape, NormalMap(map), &finishes(shape.shape, paint)});
   const Embree<RTCGeometry> instance(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
   rtcSetGeometryInstancedScene(instance.get(), shape.scene.get());
   std::array<float, 12> rows{};

@@ -51,11 +51,11 @@ class RayScene {
   };
 
   void measure(const Scene& scene);
-  const std::vector<Finish>& finishes(const Shape& shape, const std::optional<Color>& color);
+  const std::vector<Finish>& finishes(const Shape& shape, const std::optional<Paint>& paint);
   void add(TracedShapes& shapes, const SceneObject& object, std::optional<double> cut);
   const TracedShape& own(TracedShape shape);
   void attach(RTCDevice device, const TracedShape& shape, const Affine& map,
-              const std::optional<Color>& color);
+              const std::optional<Paint>& paint);
   Hit hit_of(const Ray& ray, const RTCRayHit& found) const;
 
   Vec3 middle_{};
@@ -63,7 +63,7 @@ class RayScene {
   float ground_ = 0;
   std::vector<Object> objects_;
   std::vector<std::unique_ptr<TracedShape>> own_shapes_;  // of objects that are cut or opened
-  std::map<std::pair<const Shape*, Color>, std::vector<Finish>> recolored_;
+  std::map<std::pair<const Shape*, Paint>, std::vector<Finish>> painted_;
   Embree<RTCScene> scene_;
 };
 

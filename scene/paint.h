@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scene/color.h"
+
+namespace solitaire {
+
+/// What the primary surface of a thing is made of in place of its own material.
+struct Paint {
+  struct Finish {
+    double roughness = 1;
+    double metallic = 0;
+
+    auto operator<=>(const Finish&) const = default;
+  };
+
+  std::string material;          // "oak", or "" for a mere colour
+  Color color{};                 // as screens show it
+  std::optional<Finish> finish;  // of a mere colour the surface's own
+
+  /// Returns a text that differs for paints that look different: "#c08040" or "oak #c08040".
+  std::string text() const;
+
+  auto operator<=>(const Paint&) const = default;
+};
+
+/// Returns the paint of a material with this name, nothing if there is none.
+std::optional<Paint> material_named(std::string_view name);
+
+/// Returns the names of all materials: "oak, walnut, …".
+std::string material_names();
+
+}  // namespace solitaire
