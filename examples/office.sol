@@ -64,19 +64,15 @@ for o in building + rooms: assert(inside(o, site));
 // ---- what it looks like
 
 wall = 0.3;
-fun wall_piece(office, u, v, w, d) {
-  piece = in_frame(office, "wall", u, v, w, d);
-  place("wall", at: [piece.x, piece.y], size: [w, d, 2.4], turn: piece.turn);
-}
+fun wall_piece(office, u, v, w, d) { show(in_frame(office, "wall", u, v, w, d)); }
 
 fun show_office(office) {
   place("floor", at: [office.x, office.y], size: [office.w, office.d], turn: office.turn);
   wall_piece(office, 0, office.d - wall, office.w, wall);
-  wall_piece(office, 0, 0, wall, office.d - wall);
-  wall_piece(office, office.w - wall, 0, wall, office.d - wall);
-  wall_piece(office, wall, 0, 0.5, wall);
-  wall_piece(office, 2.6, 0, office.w - wall - 2.6, wall);
-  show(in_frame(office, "door", 0.8, 0 - 0.05, 1.8, wall + 0.1));
+  wall_piece(office, 0, 0, office.w, wall);
+  wall_piece(office, 0, wall, wall, office.d - 2 * wall);
+  wall_piece(office, office.w - wall, wall, wall, office.d - 2 * wall);
+  show(in_frame(office, "door", 0.8, 0 - 0.05, 1.8, wall + 0.1));   // opens the wall
   show(in_frame(office, "desk", 0.7, 4.6, 2.6, 1.4, 2));
   show(in_frame(office, "office_chair", 1.4, 6.1, 1.2, 1.2));
   if office.w == 8 {

@@ -2,7 +2,7 @@
 //
 // One to three groups; each has one to five tables in a row that form one larger table, more seats than tables (two to
 // six chairs and one to three sofas), and every seat faces a table of its group. The program never says which numbers
-// go together: the asserts do.
+// go together: the asserts do. Where the door is depends on all of them.
 import "std/layout.sol";
 
 param most_groups = 3;
@@ -50,7 +50,16 @@ for group in groups {
 assert(room.w + room.d <= 22 + 3 * count / 2, "the room fits");
 assert(room.w <= 2 * room.d and room.d <= 2 * room.w);
 
+// The way in: a door in a wall and free floor before it.
+door = anywhere("door", 4, 1, most, most);
+assert(flush(door, room));
+way_in = front(door, 5);
+for group in groups {
+  for kind in group: assert(lists_apart([way_in], kind));
+}
+
 show_room(room);
+show_in_wall(door, room);
 for group in groups {
   for kind in group: show_all(kind);
 }

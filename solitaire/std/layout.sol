@@ -149,20 +149,27 @@ fun show(o) { place(o.kind, at: [o.x, o.y], size: [o.w, o.d], turn: o.turn); }
 
 fun show_all(things) { for o in things: show(o); }
 
-// A door or window that is flush to a wall of r, moved into the wall behind it; it is a little thicker than the wall.
-fun show_in_wall(o, r, thickness = 1) {
-  out = thickness + 0.1;
-  x = cond(o.turn == 1, r.x - out, cond(o.turn == 3, x2(r) - 0.1, o.x));
-  y = cond(o.turn == 2, r.y - out, cond(o.turn == 0, y2(r) - 0.1, o.y));
-  place(o.kind, at: [x, y], size: [o.w, thickness + 0.2], turn: o.turn);
+// A door or window that is flush to a wall of r, moved into the wall behind it, which it opens. It is a little thicker than
+// the wall.
+fun show_in_wall(o, r, thickness = 0.5) {
+  out = thickness + 0.05;
+  x = cond(o.turn == 1, r.x - out, cond(o.turn == 3, x2(r) - 0.05, o.x));
+  y = cond(o.turn == 2, r.y - out, cond(o.turn == 0, y2(r) - 0.05, o.y));
+  place(o.kind, at: [x, y], size: [o.w, thickness + 0.1], turn: o.turn);
 }
 
-// A floor and four walls around r; the walls stand outside of it. A low wall lets one look in.
-fun show_room(r, thickness = 1, height = 4) {
+// A floor and four walls around r; the walls stand outside of it. Without a height they are as high as in a house.
+fun show_room(r, thickness = 0.5, height = nil) {
   place("floor", at: [r.x, r.y], size: [width(r), depth(r)], name: "floor");
   long = width(r) + 2 * thickness;
-  place("wall", at: [r.x - thickness, y2(r)], size: [long, thickness, height], name: "back wall");
-  place("wall", at: [r.x - thickness, r.y - thickness], size: [long, thickness, height], name: "front wall");
-  place("wall", at: [r.x - thickness, r.y], size: [depth(r), thickness, height], turn: 1, name: "left wall");
-  place("wall", at: [x2(r), r.y], size: [depth(r), thickness, height], turn: 1, name: "right wall");
+  show_wall([r.x - thickness, y2(r)], long, thickness, height, 0, "back wall");
+  show_wall([r.x - thickness, r.y - thickness], long, thickness, height, 0, "front wall");
+  show_wall([r.x - thickness, r.y], depth(r), thickness, height, 1, "left wall");
+  show_wall([x2(r), r.y], depth(r), thickness, height, 1, "right wall");
+}
+
+fun show_wall(at, long, thickness, height, turn, name) {
+  size = [long, thickness];
+  if height != nil then size = size + [height];
+  place("wall", at: at, size: size, turn: turn, name: name);
 }
