@@ -147,7 +147,7 @@ class Drawing {
   /// nothing far from it.
   float shadow_share(const Vector& point) const {
     const float away = std::sqrt(point.x * point.x + point.z * point.z) / scene_.radius();
-    const float share = std::clamp((2.4F - away) / 1.2F, 0.0F, 1.0F);
+    const float share = std::clamp((1.7F - away) / 0.7F, 0.0F, 1.0F);
     return share * share * (3 - 2 * share);
   }
 
