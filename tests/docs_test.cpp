@@ -34,6 +34,7 @@
 #include <vector>
 
 #include "engines/distinct.h"
+#include "library/explanation.h"
 #include "library/freeze.h"
 #include "library/scene_of.h"
 #include "tests/explain_comments.h"
@@ -233,7 +234,7 @@ void check_possibilities(const PageProgram& shown, const Program& program, const
     dead.emplace(program.sources.text(each.span));
   AddressTable addresses;
   find_reachable_values(program, params, {}, addresses, [&](const ReachableValues& choice) {
-    if (choice.restricted()) values.insert(trimmed(values_text(choice, {program.sources, addresses})));
+    if (choice.restricted()) values.insert(trimmed(api::frozen(choice, addresses).text));
   });
   CHECK(dead == texts_of(shown.of("dead")));
   CHECK(values == texts_of(shown.of("values")));
