@@ -10,8 +10,8 @@
 
 namespace solitaire {
 
-/// How much a diagnostic matters. A program with an error cannot be run; a warning points at what is allowed
-/// and hardly meant; a note tells what may be good to know.
+/// Says how much a diagnostic matters. A program with an error cannot be run; a warning points at what is
+/// allowed and hardly meant; a note tells what may be good to know.
 enum class Severity : std::uint8_t { kError, kWarning, kNote };
 
 /// A further place that a diagnostic speaks of, such as where the other definition stands.

@@ -10,7 +10,7 @@ namespace solitaire {
 /// person or a tool writes comes near.
 constexpr std::size_t kLargestSource = std::size_t{64} << 20;
 
-/// Where the texts of a program come from. The language reads files by this alone, so that an editor or an
+/// Gives the texts of a program. The language reads files by this alone, so that an editor or an
 /// embedding program can put its own texts in the place of files.
 class FileProvider {
  public:

@@ -13,7 +13,7 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-/// From the start of `first` to the end of `last`.
+/// Returns the span from the start of `first` to the end of `last`.
 constexpr Span cover(Span first, Span last) { return {first.source, first.begin, last.end}; }
 
 }  // namespace solitaire

@@ -56,7 +56,7 @@ std::string report(const ProgramError& error, const SourceSet& sources) {
   return text;
 }
 
-/// What is said about a program, as far as a few solutions; "" if it is right.
+/// Returns what is reported about a program up to its first solutions; "" if it is right.
 std::string report_on(const std::string& program_text, Way way, const Limits& limits = {}) {
   SourceSet sources;
   std::optional<Program> program;

@@ -1,4 +1,4 @@
-// What an editor asks of names: where they are defined, who uses them, which there are.
+// An editor asks where names are defined, where they are used, and which there are.
 #include "solitaire/names/symbols.h"
 
 #include <algorithm>

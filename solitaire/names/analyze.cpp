@@ -11,7 +11,7 @@
 namespace solitaire {
 namespace {
 
-/// So many errors are as many as a person reads at once.
+/// A person reads no more errors than this at once.
 constexpr std::size_t kMostReported = 20;
 
 bool is_error(const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; }

@@ -11,7 +11,7 @@
 
 namespace solitaire {
 
-/// What can be said of a program without running it.
+/// The result of reading a program without running it.
 struct Analysis {
   /// The program, or as much of it as could be understood. It may be run only if there is no error.
   Program program;

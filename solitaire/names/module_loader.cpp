@@ -10,7 +10,7 @@
 namespace solitaire {
 namespace {
 
-/// How many files may import each other in a chain; reading them takes stack for each.
+/// No more files than this may import each other in a chain, as reading them takes stack for each.
 constexpr std::size_t kLongestChain = 100;
 
 class ModuleLoader {

@@ -11,7 +11,8 @@
 namespace solitaire {
 
 struct LoadOptions {
-  /// Where imports are looked for that are not found beside the importing file; holds std/.
+  /// The folders in which an import is looked for that is not found beside the importing file; one holds
+  /// std/.
   std::vector<std::filesystem::path> library_folders;
 };
 

@@ -29,7 +29,7 @@ class AssignedSlots {
   std::vector<std::vector<Slot>*> collectors_;
 };
 
-/// What the resolver knows about a function while it is in it.
+/// A function that the resolver is in, with all that it knows of it.
 struct Scope {
   Scope(Function& which, Scope* around, NameTable& labels) : function(which), outer(around), sites(labels) {}
 

@@ -12,7 +12,7 @@ namespace solitaire {
 
 enum class SymbolKind : std::uint8_t { kVariable, kParameter, kFunction, kRecord, kParam, kFile, kBuiltin };
 
-/// What a name stands for, and where it is named.
+/// A variable, function, file or builtin that names stand for, and the places that name it.
 struct Symbol {
   std::string name;
   SymbolKind kind = SymbolKind::kVariable;

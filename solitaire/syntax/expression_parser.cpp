@@ -8,8 +8,8 @@
 namespace solitaire {
 namespace {
 
-/// How high the tree of an expression may be, with the functions in it; the tree of a chain such as a + b + c
-/// is as high as the chain is long. Whoever walks the tree by recursion needs no more stack than for this.
+/// The tree of an expression is no higher than this, with the functions in it; the tree of a chain such as
+/// a + b + c is as high as the chain is long. So walking a tree by recursion needs a bounded stack.
 constexpr int kHighestTree = 1000;
 
 struct BinaryLevel {

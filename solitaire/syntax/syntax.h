@@ -24,7 +24,7 @@ using StmtPtr = std::unique_ptr<Stmt>;
 /// The number of a variable in its function's frame.
 using Slot = std::uint32_t;
 
-/// What a name stands for.
+/// Says which variable or builtin a name stands for.
 struct Binding {
   enum class Kind : std::uint8_t { kUnresolved, kLocal, kOuter, kModule, kBuiltin };
   Kind kind = Kind::kUnresolved;

@@ -24,7 +24,7 @@ class TokenReader {
   TokenReader(const SourceSet& sources, std::uint32_t source, Diagnostics& diagnostics);
 
  protected:
-  /// How deep statements and expressions may nest in the source.
+  /// Statements and expressions nest no deeper than this in the source.
   static constexpr int kDeepestNesting = 256;
 
   /// Counts nesting while it lives. Nesting that is too deep is an error.
