@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
@@ -60,6 +61,7 @@ class PlaceReader {
 
   [[noreturn]] void fail(const char* parameter, const std::string& why) {
     checks_.fail(span_of(parameter), message(parameter, why));
+    std::abort();  // g++ does not see that a virtual function never returns
   }
 
   Span span_of(std::string_view parameter) const {
