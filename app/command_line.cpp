@@ -6,6 +6,7 @@
 
 #include "app/console.h"
 #include "app/report.h"
+#include "app/tiles_options.h"
 
 namespace solitaire::app {
 namespace {
@@ -83,6 +84,7 @@ constexpr Subcommand kSubcommands[] = {
      explain_command, add_explain_options},
     {"count", "say how many solutions there are", count_command, add_counting_options},
     {"trace", "print the trace graph of a program", trace_command, add_trace_options},
+    {"tiles", "make maps of tiles that look like small exemplars", tiles_command, add_tiles_options},
 };
 
 /// Gives out what the command line's reader has to say: help to standard output, mistakes to standard error.

@@ -13,5 +13,6 @@ ExitStatus check_command(const Options& options, Watchdog& watchdog);
 ExitStatus explain_command(const Options& options, Watchdog& watchdog);
 ExitStatus count_command(const Options& options, Watchdog& watchdog);
 ExitStatus trace_command(const Options& options, Watchdog& watchdog);
+ExitStatus tiles_command(const Options& options, Watchdog& watchdog);
 
 }  // namespace solitaire::app

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <solitaire/solitaire.h>
 #include <string>
@@ -21,6 +22,8 @@ enum ExitStatus : int {
   kError = 3,  // in the program, or a file that cannot be read or written
   kLimit = 4,  // time, memory or an interrupt came first; what was found is kept
 };
+
+struct TilesOptions;
 
 /// What the command line asks for.
 struct Options {
@@ -44,6 +47,7 @@ struct Options {
   bool choices = false;    // explain every choice
   bool thorough = false;
   CountOptions counting;
+  std::shared_ptr<TilesOptions> tiles;  // of the subcommand tiles
 };
 
 /// Adds the options that every subcommand shares.

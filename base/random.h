@@ -13,7 +13,8 @@ enum class Purpose : std::uint64_t {
   kCells = 4,
   kSample = 5,
   kCount = 6,
-  kPicture = 7
+  kPicture = 7,
+  kTiles = 8
 };
 
 /// A counter-based stream keyed by (seed, purpose, index): its numbers depend on nothing else, on any

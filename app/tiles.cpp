@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/report.h"
+#include "app/tiles_options.h"
+#include "engines/tiles/job/job.h"
+#include "engines/tiles/request/request_error.h"
+#include "scene/atomic_file.h"
+
+namespace solitaire::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+ExitStatus check_map(const tiles::Job& job, const fs::path& file) {
+  const std::vector<std::string> faults = job.check(file);
+  for (const std::string& fault : faults) print_result(fault + "\n");
+  if (faults.empty()) print_result("the map keeps all rules\n");
+  return faults.empty() ? kDelivered : kNoSolution;
+}
+
+ExitStatus count_maps(const tiles::Job& job) {
+  const auto count = job.count();
+  if (count) {
+    print_result(*count + "\n");
+    return kDelivered;
+  }
+  tell(
+      "error: these maps cannot be counted: too much would have to be remembered; make the shorter side "
+      "shorter\n");
+  return kLimit;
+}
+
+ExitStatus explain_maps(const tiles::Job& job) {
+  for (const std::string& warning : job.warnings()) print_result("note: " + warning + "\n");
+  const auto rules = job.explain();
+  if (!rules) {
+    print_result("there are maps that keep all pairs and pins\n");
+    return kDelivered;
+  }
+  if (rules->empty()) {
+    print_result("no map of this size keeps the exemplars' pairs, whatever is pinned\n");
+    return kNoSolution;
+  }
+  print_result(
+      "these contradict each other by the exemplars' pairs; without any one of them there are maps:\n");
+  for (const std::string& rule : *rules) print_result("  " + rule + "\n");
+  return kNoSolution;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) {
+    throw std::runtime_error(
+        fmt::format("{}: {}", folder.string(), error ? error.message() : "is not a folder"));
+  }
+  remove_abandoned_files(folder);
+}
+
+/// Returns the name of the files without number and ending.
+std::string stem(const TilesOptions& options) {
+  const std::string file = fs::path(options.job.inputs.front()).filename().string();
+  return file.substr(0, file.find('.'));
+}
+
+ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog) {
+  make_folder(options.output);
+  std::uint64_t reached = 1;
+  const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
+    const auto lock = watchdog.delivering();
+    for (const std::string& format : options.tiles->formats) {
+      const std::string name = fmt::format("{}-{:04}.{}", stem(*options.tiles), number, format);
+      write_file_atomically(options.output / name, job.file(format, options.tiles->pixels));
+    }
+    reached = number + 1;
+  });
+  switch (ending) {
+    case tiles::JobEnding::kNoMap:
+      tell("there is no such map; --explain says why\n");
+      return kNoSolution;
+    case tiles::JobEnding::kGaveUp:
+      tell(fmt::format("error: the sampler gave up on map {}; this is no proof that there is none\n",
+                       reached));
+      return kLimit;
+    case tiles::JobEnding::kDone:
+      break;
+  }
+  if (!options.quiet) tell(job.summary());
+  return kDelivered;
+}
+
+ExitStatus run_tiles(const Options& options, Watchdog& watchdog) {
+  tiles::Job job(options.tiles->job);
+  if (!options.tiles->checked.empty()) return check_map(job, options.tiles->checked);
+  if (options.tiles->explained) return explain_maps(job);
+  if (options.tiles->counted) return count_maps(job);
+  return make_maps(job, options, watchdog);
+}
+
+}  // namespace
+
+/// Makes maps from exemplars, or answers a question about them.
+ExitStatus tiles_command(const Options& options, Watchdog& watchdog) {
+  ExitStatus status = kUsage;
+  try {
+    status = run_tiles(options, watchdog);
+  } catch (const tiles::RequestError& error) {
+    tell(fmt::format("error: {}\n", error.what()));
+  }
+  const auto lock = watchdog.delivering();
+  return watchdog.conclude(status);
+}
+
+}  // namespace solitaire::app

@@ -1,0 +1,108 @@
+#include "app/tiles_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/options.h"
+
+namespace solitaire::app {
+namespace {
+
+using tiles::SamplerKind;
+using tiles::WeightsKind;
+
+void add_map_options(CLI::App& command, tiles::JobOptions& options) {
+  const auto extent = CLI::Range(1, 1 << 20);
+  command.add_option("-W,--width", options.width, "sites from left to right (default 20)")->check(extent);
+  command.add_option("-H,--height", options.height, "sites from top to bottom (default 20)")->check(extent);
+  command.add_option("-D,--depth", options.depth, "layers (default 1)")->check(extent);
+  command.add_flag("--periodic-x", options.periodic_x, "the right side meets the left side");
+  command.add_flag("--periodic-y", options.periodic_y, "the bottom meets the top");
+  command
+      .add_option(
+          "--pin", options.pins,
+          "fix a site, or a box of sites: X,Y=TILE or X,Y:X,Y=TILE|TILE, counted from 0 at the left and "
+          "the top; can be given several times")
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("X,Y=TILE");
+  command
+      .add_option("--connected", options.connected,
+                  "these tiles form one network, of which every tile can be reached: floor,door")
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("TILE,...");
+  command.add_option("--from", options.from, "a map to start from; say with --redo what is made anew");
+  command.add_option("--redo", options.redo, "the box of --from that is made anew; the rest stays")
+      ->type_name("X,Y:X,Y");
+}
+
+void add_learning_options(CLI::App& command, tiles::JobOptions& options) {
+  command.add_option("--tile", options.tile_side, "pixels along a side of a tile in PNG files (default 1)")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option(
+          "--weights", options.weights,
+          "fitted (default): patches become about as frequent as in the exemplars; step: a patch that an "
+          "exemplar has weighs 1 + epsilon")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, WeightsKind>{{"fitted", WeightsKind::kFitted},
+                                                                             {"step", WeightsKind::kStep}})
+                      .description("fitted|step"));
+}
+
+void add_sampler_options(CLI::App& command, tiles::JobOptions& options) {
+  static const std::map<std::string, SamplerKind> kSamplers{
+      {"windows", SamplerKind::kWindows}, {"blockss", SamplerKind::kBlockSs}, {"wfc", SamplerKind::kWfc},
+      {"raster", SamplerKind::kRaster},   {"mh", SamplerKind::kMh},           {"gibbs", SamplerKind::kGibbs},
+      {"search", SamplerKind::kSearch}};
+  command
+      .add_option("--sampler", options.sampling.kind,
+                  "windows (default, exact), blockss (Yeh et al. 2012), wfc, raster, mh, gibbs or search, to "
+                  "compare with")
+      ->transform(
+          CLI::CheckedTransformer(kSamplers).description("windows|blockss|wfc|raster|mh|gibbs|search"));
+  command.add_option("--anneal", options.sampling.anneal,
+                     "windows: sweeps in which the weights grow to their full strength (default 80)");
+  command.add_option("--sweeps", options.sampling.sweeps, "windows: sweeps after those (default 40)");
+  command.add_option("--burn-in", options.sampling.burn_in,
+                     "blockss: samples of the chain before the one that is taken (default 5)");
+  command
+      .add_option("--blocks", options.sampling.largest_block,
+                  "blockss: the set of block shapes, 1 to 6 (default 6)")
+      ->check(CLI::Range(1, 6));
+}
+
+}  // namespace
+
+void add_tiles_options(CLI::App& command, Options& options) {
+  options.tiles = std::make_shared<TilesOptions>();
+  TilesOptions& tiles_options = *options.tiles;
+  tiles::JobOptions& job = tiles_options.job;
+  command
+      .add_option("exemplars", job.inputs,
+                  "small maps to learn from (.txt, .png, .json), or a problem file (.tiles.json)")
+      ->required();
+  add_map_options(command, job);
+  add_learning_options(command, job);
+  add_sampler_options(command, job);
+  command.add_option("-n,--maps", job.maps, "how many maps (default 1)");
+  command.add_option("-o,--output", options.output, "the folder to write to (default out)");
+  command.add_option("--seed", job.sampling.seed, "another seed gives other maps");
+  command.add_option("--jobs", job.jobs, "maps made at a time (default 1)")->check(CLI::Range(1, 256));
+  command
+      .add_option("--format", tiles_options.formats, "txt, png, json, separated by commas (default txt,png)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"txt", "png", "json"}));
+  command
+      .add_option("--pixels", tiles_options.pixels, "pixels of a tile without icon in .png files (default 8)")
+      ->check(CLI::Range(1, 256));
+  command.add_option("--check", tiles_options.checked, "make nothing; say what is wrong with this map");
+  command.add_flag("--explain", tiles_options.explained, "make nothing; say why there is no map");
+  command.add_flag("--count", tiles_options.counted, "make nothing; say how many maps there are");
+  command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was made");
+  command.add_option("--memory", options.memory, "end when the process takes more megabytes");
+  command.add_flag("-q,--quiet", options.quiet, "no summary");
+}
+
+}  // namespace solitaire::app

@@ -1,0 +1,185 @@
+#include "engines/tiles/job/job.h"
+
+#include <deque>
+#include <fmt/format.h>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engines/tiles/check/check.h"
+#include "engines/tiles/count/count.h"
+#include "engines/tiles/explain/explain.h"
+#include "engines/tiles/job/box_text.h"
+#include "engines/tiles/learn/divergence.h"
+#include "engines/tiles/learn/fit.h"
+#include "engines/tiles/learn/patterns.h"
+#include "engines/tiles/read/exemplar.h"
+#include "engines/tiles/request/build.h"
+#include "engines/tiles/request/request_file.h"
+#include "engines/tiles/sample/sampler.h"
+#include "engines/tiles/write/json.h"
+#include "engines/tiles/write/png.h"
+#include "engines/tiles/write/text.h"
+
+namespace solitaire::tiles {
+namespace {
+
+bool is_problem_file(const std::string& name) { return name.ends_with(".tiles.json"); }
+
+/// Returns the request of the problem file and the options together.
+Request full_request(const JobOptions& options) {
+  Request request;
+  if (options.inputs.size() == 1 && is_problem_file(options.inputs[0])) {
+    request = read_request(options.inputs[0]);
+  } else {
+    for (const std::string& input : options.inputs) request.exemplars.push_back({input, "", false, false});
+  }
+  request.size = {options.width.value_or(request.size[0]), options.height.value_or(request.size[1]),
+                  options.depth.value_or(request.size[2])};
+  request.periodic[0] = request.periodic[0] || options.periodic_x;
+  request.periodic[1] = request.periodic[1] || options.periodic_y;
+  request.tile_side = options.tile_side.value_or(request.tile_side);
+  request.weights = options.weights.value_or(request.weights);
+  for (const std::string& pin : options.pins) request.pins.push_back(parse_pin(pin));
+  for (const std::string& names : options.connected) request.connected.push_back({split(names, ','), {}});
+  return request;
+}
+
+bool is_inside(const PinEntry& box, const Point& at) {
+  return at[0] >= box.from[0] && at[0] < box.to[0] && at[1] >= box.from[1] && at[1] < box.to[1];
+}
+
+/// Pins all sites of a map but those of a box.
+void keep_rest(const JobOptions& options, int tile_side, Problem& problem) {
+  if (options.from.empty() != options.redo.empty()) throw RequestError("--from and --redo go together");
+  if (options.from.empty()) return;
+  Tileset tileset = problem.style().tileset;
+  const Grid map = read_exemplar(options.from, tile_side, tileset, false);
+  if (!(map.size == problem.size())) {
+    throw RequestError(
+        fmt::format("{} has another size than the maps; say its size with -W and -H", options.from.string()));
+  }
+  const PinEntry box = parse_box(options.redo);
+  const std::string text = fmt::format("it is kept from {}", options.from.string());
+  for (std::uint32_t site = 0; site < map.tiles.size(); ++site) {
+    if (is_inside(box, map.size.point(site)) || map[site] == kHole) continue;
+    problem.add({text, {site}, TileMask::of(map[site])});
+  }
+}
+
+/// Adds the soft factors of the samplers that have a use for them; blockss takes those of its paper.
+void learn_weights(const Request& request, const SamplerOptions& sampling, Style& style,
+                   const StopSignal& stop) {
+  const SamplerKind kind = sampling.kind;
+  if (kind == SamplerKind::kWfc || kind == SamplerKind::kRaster || kind == SamplerKind::kSearch) return;
+  if (request.weights == WeightsKind::kFitted && kind != SamplerKind::kBlockSs) {
+    fit_weights(style, request.shapes.empty() ? default_shapes(style) : request.shapes, sampling.seed, stop);
+  } else {
+    for (const Size& shape : request.shapes) add_step_shape(style, shape, request.epsilon);
+  }
+  add_biases(style);
+}
+
+std::string size_text(const Size& size) {
+  return size.depth() > 1 ? fmt::format("{}x{}x{}", size.width(), size.height(), size.depth())
+                          : fmt::format("{}x{}", size.width(), size.height());
+}
+
+}  // namespace
+
+struct Job::State {
+  explicit State(const JobOptions& given)
+      : options(given),
+        request(full_request(given)),
+        style(read_style(request)),
+        problem(make_problem(request, style)) {
+    keep_rest(options, request.tile_side, problem);
+  }
+
+  Sample draw(const std::vector<TileMask>& domains, std::uint64_t of) const {
+    return draw_sample(problem, domains, options.sampling, of, stop);
+  }
+
+  JobOptions options;
+  Request request;
+  std::shared_ptr<Style> style;
+  Problem problem;
+  StopSignal stop;  // is never set: the program ends itself
+  std::uint64_t number = 0;
+  Sample sample;  // that of the number
+  std::vector<Grid> maps;
+  std::uint64_t windows = 0, left = 0, refused = 0;
+};
+
+Job::Job(const JobOptions& options) : state_(std::make_unique<State>(options)) {}
+Job::~Job() = default;
+
+std::vector<std::string> Job::check(const std::filesystem::path& file) const {
+  Tileset tileset = state_->style->tileset;
+  return find_faults(state_->problem, read_exemplar(file, state_->request.tile_side, tileset, false));
+}
+
+std::optional<std::string> Job::count() const { return count_maps(state_->problem, state_->stop); }
+
+std::optional<std::vector<std::string>> Job::explain() const {
+  const auto reason = explain_no_map(state_->problem, state_->stop);
+  if (!reason) return std::nullopt;
+  return reason->rules;
+}
+
+std::vector<std::string> Job::warnings() const { return tiles_that_need_a_border(state_->problem); }
+
+JobEnding Job::run(const std::function<void(std::uint64_t)>& deliver) {
+  State& state = *state_;
+  learn_weights(state.request, state.options.sampling, *state.style, state.stop);
+  const std::vector<TileMask> domains = consistent_domains(state.problem);
+  std::deque<std::future<Sample>> running;
+  std::uint64_t begun = 0;
+  for (state.number = 1; state.number <= state.options.maps; ++state.number) {
+    while (begun < state.options.maps && running.size() < state.options.jobs) {
+      running.push_back(
+          std::async(std::launch::async, [&, next = ++begun] { return state.draw(domains, next); }));
+    }
+    state.sample = running.front().get();
+    running.pop_front();
+    if (state.sample.outcome == Outcome::kNone) return JobEnding::kNoMap;
+    if (state.sample.outcome != Outcome::kFound) return JobEnding::kGaveUp;
+    const std::vector<std::string> faults = find_faults(state.problem, state.sample.map, 1);
+    if (!faults.empty()) throw std::logic_error("a map breaks the rules: " + faults.front());
+    deliver(state.number);
+    state.maps.push_back(std::move(state.sample.map));
+    state.windows += state.sample.windows;
+    state.left += state.sample.left;
+    state.refused += state.sample.refused;
+  }
+  return JobEnding::kDone;
+}
+
+std::string Job::file(const std::string& format, int pixels) const {
+  const Sample& sample = state_->sample;
+  const Tileset& tileset = state_->style->tileset;
+  if (format == "txt") return write_text(sample.map, tileset);
+  if (format == "png") return write_png(sample.map, tileset, pixels);
+  return write_json(sample.map, tileset,
+                    {{"index", state_->number},
+                     {"seed", state_->options.sampling.seed},
+                     {"sweeps", sample.sweeps},
+                     {"windows", sample.windows},
+                     {"refused", sample.refused}});
+}
+
+std::string Job::summary() const {
+  const State& state = *state_;
+  std::string text = fmt::format("{} maps of {}, {} windows redrawn", state.maps.size(),
+                                 size_text(state.problem.size()), state.windows);
+  if (state.left > 0) text += fmt::format(", {} left as they were", state.left);
+  if (state.refused > 0) text += fmt::format(", {} put back", state.refused);
+  text += "\n  divergence from the exemplars (KL/JS):";
+  for (const Point& extent : {Point{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}, {4, 1, 1}, {1, 4, 1}}) {
+    const Divergence d = divergence(*state.style, state.maps, {extent});
+    text += fmt::format(" {} {:.2f}/{:.2f}", size_text({extent}), d.kullback_leibler, d.jensen_shannon);
+  }
+  return text + "\n";
+}
+
+}  // namespace solitaire::tiles

@@ -1,0 +1,54 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engines/tiles/job/job_options.h"
+
+namespace solitaire::tiles {
+
+/// How a job ended.
+enum class JobEnding : std::uint8_t {
+  kDone,
+  kNoMap,   // proved
+  kGaveUp,  // the sampler did; this is no proof
+};
+
+/// Makes the maps that somebody asks for, or answers questions about them. This is the face of the tile
+/// engine for programs: it needs no other header of the engine.
+class Job {
+ public:
+  /// Reads the exemplars and learns their pairs. Throws RequestError for options that contradict each other
+  /// or name what is not there, and FileError.
+  explicit Job(const JobOptions& options);
+  ~Job();
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  /// Returns what is wrong with a map in a file; nothing if it keeps all rules.
+  std::vector<std::string> check(const std::filesystem::path& file) const;
+  /// Returns how many maps there are, or nothing if they cannot be counted (count_maps()).
+  std::optional<std::string> count() const;
+  /// Returns why there is no map, a rule a line; nothing if there is one. Without a line there is no map of
+  /// this size at all.
+  std::optional<std::vector<std::string>> explain() const;
+  /// Returns what should be known about the exemplars.
+  std::vector<std::string> warnings() const;
+
+  /// Learns weights and makes maps, several at a time, and calls `deliver(number)` for each in their order,
+  /// numbered from 1. Throws std::logic_error if a map breaks a rule, which is then not delivered.
+  JobEnding run(const std::function<void(std::uint64_t)>& deliver);
+  /// Returns the file of the map that is being delivered, as txt, png or json. `pixels` is the side of a tile
+  /// without an icon.
+  std::string file(const std::string& format, int pixels) const;
+  /// Returns what there is to say of all maps together.
+  std::string summary() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace solitaire::tiles

@@ -1,0 +1,22 @@
+#pragma once
+#include <span>
+
+#include "base/stop_signal.h"
+#include "engines/tiles/model/style.h"
+
+namespace solitaire::tiles {
+
+/// Returns the shapes that weights are fitted for by default: single tiles, pairs, and squares of 2x2 along
+/// every two axes that the exemplars have.
+std::vector<Size> default_shapes(const Style& style);
+
+/// Adds soft factors whose weights make patches as frequent in maps as they are in the exemplars, as nearly
+/// as can be. This is maximum likelihood: at its optimum the expected frequencies of patches equal those of
+/// the exemplars. Their gradient is estimated by chains of windows that go on while the weights change
+/// (persistent contrastive divergence, Tieleman 2008), and the answer is the mean of the second half of all
+/// steps.
+///
+/// Throws std::runtime_error where the tiles fit no map of the size that is used, and Interrupted.
+void fit_weights(Style& style, std::span<const Size> shapes, std::uint64_t seed, const StopSignal& stop);
+
+}  // namespace solitaire::tiles

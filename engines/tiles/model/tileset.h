@@ -1,0 +1,46 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engines/tiles/model/grid.h"
+#include "engines/tiles/model/picture.h"
+
+namespace solitaire::tiles {
+
+/// The sides of a tile that can be open: towards +x, -x, +y, -y, +z and -z, as bits in this order.
+using Sides = std::uint8_t;
+inline constexpr Sides kAllSides = 0x3f;
+constexpr Sides side(std::size_t axis, int step) {
+  return static_cast<Sides>(1U << (2 * axis + (step > 0 ? 0 : 1)));
+}
+
+/// A kind of tile.
+struct TileKind {
+  std::string name;  // unique in its tileset
+  std::string text;  // the character of text maps
+  Rgba color{};      // of maps that give a pixel to a tile
+  Picture icon;      // empty: a plain square of the colour
+  double bias = 1;   // multiplies the weight of each occurrence
+};
+
+/// The tiles of a style, at most kMostTiles.
+class Tileset {
+ public:
+  std::size_t size() const { return kinds_.size(); }
+  const TileKind& operator[](Tile tile) const { return kinds_[tile]; }
+  TileKind& operator[](Tile tile) { return kinds_[tile]; }
+  /// Adds a kind of tile. Throws std::length_error if there are too many.
+  Tile add(TileKind kind);
+  /// Returns the tile of that name.
+  std::optional<Tile> find(std::string_view name) const;
+  std::vector<std::string> names() const;
+
+ private:
+  std::vector<TileKind> kinds_;
+};
+
+}  // namespace solitaire::tiles

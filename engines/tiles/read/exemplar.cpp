@@ -1,0 +1,21 @@
+#include "engines/tiles/read/exemplar.h"
+
+#include <fmt/format.h>
+
+#include "engines/tiles/read/file.h"
+#include "engines/tiles/read/json.h"
+#include "engines/tiles/read/png.h"
+#include "engines/tiles/read/text.h"
+
+namespace solitaire::tiles {
+
+Grid read_exemplar(const std::filesystem::path& file, int side, Tileset& tileset, bool open) {
+  const std::string ending = file.extension().string();
+  const std::string name = file.string();
+  if (ending == ".txt") return read_text(name, read_bytes(file), tileset, open);
+  if (ending == ".png") return cut_tiles(name, read_png(name, read_bytes(file)), side, tileset, open);
+  if (ending == ".json") return read_json(name, read_bytes(file), tileset, open);
+  throw FileError(name, fmt::format("'{}' is no format of maps; .txt, .png and .json are", ending));
+}
+
+}  // namespace solitaire::tiles

@@ -1,0 +1,228 @@
+#include "engines/tiles/request/build.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "engines/tiles/learn/patterns.h"
+#include "engines/tiles/model/palette.h"
+#include "engines/tiles/read/exemplar.h"
+#include "engines/tiles/read/file.h"
+#include "engines/tiles/read/png.h"
+#include "engines/tiles/rules/connected.h"
+#include "engines/tiles/rules/tile_count.h"
+
+namespace solitaire::tiles {
+namespace {
+
+std::string quoted(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += fmt::format("{}'{}'", text.empty() ? "" : ", ", name);
+  return text;
+}
+
+/// Returns the zones that exemplars name, in the order of their first appearance.
+std::vector<std::string> zone_names(const Request& request) {
+  std::vector<std::string> names;
+  for (const ExemplarEntry& exemplar : request.exemplars) {
+    if (std::ranges::find(names, exemplar.zone) == names.end()) names.push_back(exemplar.zone);
+  }
+  return names;
+}
+
+std::uint8_t zone_number(const std::vector<std::string>& names, const std::string& zone) {
+  const auto found = std::ranges::find(names, zone);
+  if (found == names.end()) {
+    throw RequestError(fmt::format("no exemplar has the zone '{}'; there are {}", zone, quoted(names)));
+  }
+  return static_cast<std::uint8_t>(found - names.begin());
+}
+
+TileMask tile_set(const Tileset& tileset, const std::vector<std::string>& names) {
+  TileMask mask;
+  for (const std::string& name : names) {
+    const auto tile = tileset.find(name);
+    if (!tile) {
+      throw RequestError(
+          fmt::format("there is no tile '{}'; the tiles are {}", name, quoted(tileset.names())));
+    }
+    mask.insert(*tile);
+  }
+  return mask;
+}
+
+Picture icon_at(const Picture& icons, const TileEntry& entry, int side) {
+  const int left = (*entry.icon)[0] * side, top = (*entry.icon)[1] * side;
+  if (left < 0 || top < 0 || left + side > icons.width || top + side > icons.height) {
+    throw RequestError(fmt::format("the icon of '{}' is outside of the picture of icons", entry.name));
+  }
+  Picture icon(side, side);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) icon.at(x, y) = icons.at(left + x, top + y);
+  }
+  return icon;
+}
+
+void add_tiles(const Request& request, Tileset& tileset) {
+  Picture icons;
+  if (!request.icons.empty()) icons = read_png(request.icons.string(), read_bytes(request.icons));
+  for (const TileEntry& entry : request.tiles) {
+    if (tileset.find(entry.name)) throw RequestError(fmt::format("there are two tiles '{}'", entry.name));
+    TileKind kind;
+    kind.name = entry.name;
+    kind.text = entry.text;
+    kind.bias = entry.bias;
+    if (entry.icon) kind.icon = icon_at(icons, entry, request.tile_side);
+    kind.color = entry.color  ? *entry.color
+                 : entry.icon ? mean_color(kind.icon)
+                              : palette_color(tileset.size());
+    tileset.add(std::move(kind));
+  }
+}
+
+SiteRule pin_rule(const PinEntry& pin, const Problem& problem) {
+  SiteRule rule;
+  rule.allowed = tile_set(problem.style().tileset, pin.tiles);
+  const Size& size = problem.size();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (pin.from[axis] >= 0 && pin.from[axis] < pin.to[axis] && pin.to[axis] <= size.extent[axis]) continue;
+    throw RequestError(fmt::format("the pin at ({},{},{}) is outside of the map of {}x{}x{}", pin.from[0],
+                                   pin.from[1], pin.from[2], size.width(), size.height(), size.depth()));
+  }
+  const Size box{{pin.to[0] - pin.from[0], pin.to[1] - pin.from[1], pin.to[2] - pin.from[2]}};
+  for_each_point(box, [&](const Point& at) {
+    rule.sites.push_back(static_cast<std::uint32_t>(
+        size.site({pin.from[0] + at[0], pin.from[1] + at[1], pin.from[2] + at[2]})));
+  });
+  const std::string where = box.volume() == 1 ? fmt::format("({},{})", pin.from[0], pin.from[1])
+                                              : fmt::format("({},{}) to ({},{})", pin.from[0], pin.from[1],
+                                                            pin.to[0] - 1, pin.to[1] - 1);
+  rule.text = fmt::format("{} is pinned to {}", where, quoted(pin.tiles));
+  return rule;
+}
+
+/// Returns the axis and the step of a side's name.
+std::pair<std::size_t, int> side_named(const std::string& name) {
+  static constexpr std::array<const char*, 6> kNames{"right", "left", "bottom", "top", "above", "below"};
+  const auto found = std::ranges::find(kNames, name);
+  if (found == kNames.end()) {
+    throw RequestError(
+        fmt::format("'{}' is no side of a map: left, right, top, bottom, below, above or all", name));
+  }
+  const auto number = static_cast<std::size_t>(found - kNames.begin());
+  return {number / 2, number % 2 == 0 ? 1 : -1};
+}
+
+bool on_side(const Size& size, const Point& at, std::size_t axis, int step) {
+  return at[axis] == (step > 0 ? size.extent[axis] - 1 : 0);
+}
+
+SiteRule border_rule(const BorderEntry& border, const Problem& problem) {
+  SiteRule rule;
+  rule.allowed = tile_set(problem.style().tileset, border.tiles);
+  rule.text = fmt::format("the border ({}) has {}", border.side, quoted(border.tiles));
+  std::vector<std::pair<std::size_t, int>> sides;
+  if (border.side == "all") {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (problem.size().extent[axis] > 1) sides.insert(sides.end(), {{axis, 1}, {axis, -1}});
+    }
+  } else {
+    sides.push_back(side_named(border.side));
+  }
+  for_each_point(problem.size(), [&](const Point& at) {
+    const bool any = std::ranges::any_of(
+        sides, [&](const auto& each) { return on_side(problem.size(), at, each.first, each.second); });
+    if (any) rule.sites.push_back(static_cast<std::uint32_t>(problem.size().site(at)));
+  });
+  return rule;
+}
+
+/// Returns the zone of every site, by the colours of a picture that is stretched over the map.
+std::vector<std::uint8_t> read_zones(const ZoneMap& map, const Size& size,
+                                     const std::vector<std::string>& names) {
+  const Picture picture = read_png(map.file.string(), read_bytes(map.file));
+  std::vector<std::uint8_t> zones;
+  zones.reserve(size.volume());
+  for_each_point(size, [&](const Point& at) {
+    const int x = static_cast<int>(std::int64_t{at[0]} * picture.width / size.width());
+    const int y = static_cast<int>(std::int64_t{at[1]} * picture.height / size.height());
+    const Rgba& color = picture.at(x, y);
+    const auto found = std::ranges::find(map.legend, color, &std::pair<Rgba, std::string>::first);
+    if (found == map.legend.end()) {
+      throw FileError(map.file.string(),
+                      fmt::format("the colour #{:02x}{:02x}{:02x} at ({},{}) is in no legend", color[0],
+                                  color[1], color[2], x, y));
+    }
+    zones.push_back(zone_number(names, found->second));
+  });
+  return zones;
+}
+
+/// Returns the sides that letters name: l, r, t, b, and u and d for up and down in maps of several layers.
+Sides sides_of(const std::string& letters) {
+  Sides sides = 0;
+  for (const char letter : letters) {
+    const std::size_t place = std::string("rlbtud").find(letter);
+    if (place == std::string::npos) {
+      throw RequestError(fmt::format("'{}' is no side; l, r, t, b, u and d are", letter));
+    }
+    sides |= static_cast<Sides>(1U << place);
+  }
+  return sides;
+}
+
+std::shared_ptr<const GlobalRule> connected_rule(const ConnectedEntry& entry, const Problem& problem) {
+  const Tileset& tileset = problem.style().tileset;
+  std::vector<Sides> open(tileset.size());
+  tile_set(tileset, entry.tiles).for_each([&](Tile tile) { open[tile] = kAllSides; });
+  for (const auto& [name, letters] : entry.open) {
+    tile_set(tileset, {name}).for_each([&](Tile tile) { open[tile] = sides_of(letters); });
+  }
+  std::vector<std::string> names = entry.tiles;
+  for (const auto& [name, letters] : entry.open) names.push_back(name);
+  return std::make_shared<Connected>(problem.topology(), std::move(open),
+                                     fmt::format("{} are one connected network", quoted(names)));
+}
+
+std::shared_ptr<const GlobalRule> count_rule(const CountEntry& entry, const Tileset& tileset) {
+  const std::string most = entry.most == UINT64_MAX ? "any number" : std::to_string(entry.most);
+  return std::make_shared<TileCount>(
+      tile_set(tileset, entry.tiles), entry.least, entry.most,
+      fmt::format("there are {} to {} of {}", entry.least, most, quoted(entry.tiles)));
+}
+
+}  // namespace
+
+std::shared_ptr<Style> read_style(const Request& request) {
+  if (request.exemplars.empty()) throw RequestError("there is no exemplar to learn from");
+  auto style = std::make_shared<Style>();
+  add_tiles(request, style->tileset);
+  const bool open = request.tiles.empty();
+  const std::vector<std::string> zones = zone_names(request);
+  if (zones.size() > kMostZones) throw RequestError(fmt::format("there are more than {} zones", kMostZones));
+  style->zones = zones.size();
+  for (const ExemplarEntry& entry : request.exemplars) {
+    Exemplar exemplar;
+    exemplar.grid = read_exemplar(entry.file, request.tile_side, style->tileset, open);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      exemplar.periodic[axis] = entry.periodic && exemplar.grid.size.extent[axis] > 1;
+    }
+    exemplar.zone = zone_number(zones, entry.zone);
+    exemplar.negative = entry.negative;
+    exemplar.name = entry.file.string();
+    style->exemplars.push_back(std::move(exemplar));
+  }
+  learn_pairs(*style);
+  return style;
+}
+
+Problem make_problem(const Request& request, std::shared_ptr<const Style> style) {
+  Problem problem(std::move(style), {{request.size}, request.periodic});
+  for (const PinEntry& pin : request.pins) problem.add(pin_rule(pin, problem));
+  for (const BorderEntry& border : request.borders) problem.add(border_rule(border, problem));
+  if (request.zones) problem.set_zones(read_zones(*request.zones, problem.size(), zone_names(request)));
+  for (const ConnectedEntry& entry : request.connected) problem.add(connected_rule(entry, problem));
+  for (const CountEntry& entry : request.counts) problem.add(count_rule(entry, problem.style().tileset));
+  return problem;
+}
+
+}  // namespace solitaire::tiles

@@ -1,0 +1,185 @@
+#include "engines/tiles/request/request_file.h"
+
+#include <fmt/format.h>
+
+#include "engines/tiles/read/file.h"
+#include "engines/tiles/read/json_object.h"
+
+namespace solitaire::tiles {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads "#rrggbb".
+Rgba color_of(JsonObject& object, const char* member) {
+  const std::string text = object.text(member);
+  Rgba color{0, 0, 0, 255};
+  unsigned value = 0;
+  const bool fits = text.size() == 7 && text[0] == '#' &&
+                    text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!fits) object.fail(member, "is no colour; write #rrggbb");
+  value = static_cast<unsigned>(std::stoul(text.substr(1), nullptr, 16));
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    color[channel] = static_cast<std::uint8_t>(value >> (16 - 8 * channel));
+  }
+  return color;
+}
+
+/// Reads one problem file.
+class RequestReader {
+ public:
+  explicit RequestReader(const fs::path& path) : name_(path.string()), folder_(path.parent_path()) {
+    json_ = parse_json(name_, read_bytes(path));
+  }
+
+  Request read() {
+    JsonObject file(name_, json_, "");
+    request_.icons = file.has("icons") ? path(file, "icons") : fs::path();
+    if (file.has("tile")) request_.tile_side = static_cast<int>(file.number("tile", 1, 1024));
+    for (JsonObject& each : file.objects("tiles")) read_tile(each);
+    if (file.has("exemplars")) read_exemplars(file);
+    read_map(file);
+    read_weights(file);
+    for (JsonObject& each : file.objects("pins")) read_pin(each);
+    for (JsonObject& each : file.objects("borders")) read_border(each);
+    for (JsonObject& each : file.objects("connected")) read_connected(each);
+    for (JsonObject& each : file.objects("counts")) read_count(each);
+    if (file.has("zones")) read_zones(JsonObject(name_, file.at("zones"), "zones"));
+    file.require_no_more();
+    return std::move(request_);
+  }
+
+ private:
+  /// Returns a file beside the problem file or below it.
+  fs::path path(JsonObject& object, const char* member) const {
+    const fs::path relative = fs::path(object.text(member)).lexically_normal();
+    if (relative.empty() || relative.is_absolute() || *relative.begin() == "..") {
+      object.fail(member, "is no path within the folder of the problem file");
+    }
+    return folder_ / relative;
+  }
+
+  void read_tile(JsonObject& object) {
+    TileEntry tile;
+    tile.name = object.text("name");
+    tile.text = object.text_or("char", "");
+    if (object.has("color")) tile.color = color_of(object, "color");
+    if (object.has("icon")) {
+      const std::vector<int> place = object.numbers("icon", 0, 2, 2);
+      tile.icon = {place[0], place[1]};
+    }
+    if (object.has("bias")) tile.bias = object.real("bias", 1e-6, 1e6);
+    object.require_no_more();
+    request_.tiles.push_back(std::move(tile));
+  }
+
+  /// A list of file names, or of objects that say more of each.
+  void read_exemplars(JsonObject& file) {
+    const auto& list = file.at("exemplars");
+    if (!list.is_array()) file.fail("exemplars", "is no list");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const nlohmann::json as_object = list[i].is_string() ? nlohmann::json{{"file", list[i]}} : list[i];
+      JsonObject object(name_, as_object, fmt::format("exemplars[{}]", i));
+      ExemplarEntry entry;
+      entry.file = path(object, "file");
+      entry.zone = object.text_or("zone", "");
+      entry.negative = object.flag("negative");
+      entry.periodic = object.flag("periodic");
+      object.require_no_more();
+      request_.exemplars.push_back(std::move(entry));
+    }
+  }
+
+  static Point point_of(const std::vector<int>& numbers, int otherwise) {
+    Point point{otherwise, otherwise, otherwise};
+    for (std::size_t axis = 0; axis < numbers.size(); ++axis) point[axis] = numbers[axis];
+    return point;
+  }
+
+  void read_map(JsonObject& file) {
+    if (file.has("size")) request_.size = point_of(file.numbers("size", 1, 2, 3), 1);
+    if (!file.has("periodic")) return;
+    for (const std::string& axis : file.texts("periodic")) {
+      const std::size_t number = std::string("xyz").find(axis);
+      if (axis.size() != 1 || number == std::string::npos)
+        file.fail("periodic", "names other axes than x, y and z");
+      request_.periodic[number] = true;
+    }
+  }
+
+  void read_weights(JsonObject& file) {
+    const std::string kind = file.text_or("weights", "fitted");
+    if (kind != "fitted" && kind != "step") file.fail("weights", "is neither \"fitted\" nor \"step\"");
+    request_.weights = kind == "step" ? WeightsKind::kStep : WeightsKind::kFitted;
+    if (file.has("epsilon")) request_.epsilon = file.real("epsilon", 0, 1000);
+    if (!file.has("shapes")) return;
+    const auto& list = file.at("shapes");
+    if (!list.is_array()) file.fail("shapes", "is no list");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const nlohmann::json as_object{{"size", list[i]}};
+      JsonObject object(name_, as_object, fmt::format("shapes[{}]", i));
+      request_.shapes.push_back({point_of(object.numbers("size", 1, 2, 3), 1)});
+    }
+  }
+
+  void read_pin(JsonObject& object) {
+    PinEntry pin;
+    pin.from = point_of(object.numbers("at", 0, 2, 3), 0);
+    const Point size = object.has("size") ? point_of(object.numbers("size", 1, 2, 3), 1) : Point{1, 1, 1};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) pin.to[axis] = pin.from[axis] + size[axis];
+    pin.tiles = object.texts("tiles");
+    object.require_no_more();
+    request_.pins.push_back(std::move(pin));
+  }
+
+  void read_border(JsonObject& object) {
+    request_.borders.push_back({object.text("side"), object.texts("tiles")});
+    object.require_no_more();
+  }
+
+  void read_connected(JsonObject& object) {
+    ConnectedEntry entry;
+    if (object.has("tiles")) entry.tiles = object.texts("tiles");
+    if (object.has("open")) {
+      const auto& open = object.at("open");
+      if (!open.is_object()) object.fail("open", "is no object of tiles and their open sides");
+      for (const auto& [tile, sides] : open.items()) {
+        if (!sides.is_string()) object.fail("open", "has sides that are no text");
+        entry.open.emplace_back(tile, sides.get<std::string>());
+      }
+    }
+    object.require_no_more();
+    request_.connected.push_back(std::move(entry));
+  }
+
+  void read_count(JsonObject& object) {
+    CountEntry entry;
+    entry.tiles = object.texts("tiles");
+    if (object.has("least")) entry.least = static_cast<std::uint64_t>(object.number("least", 0, INT64_MAX));
+    if (object.has("most")) entry.most = static_cast<std::uint64_t>(object.number("most", 0, INT64_MAX));
+    object.require_no_more();
+    request_.counts.push_back(std::move(entry));
+  }
+
+  void read_zones(JsonObject object) {
+    ZoneMap zones;
+    zones.file = path(object, "mask");
+    for (JsonObject& each : object.objects("legend")) {
+      zones.legend.emplace_back(color_of(each, "color"), each.text("zone"));
+      each.require_no_more();
+    }
+    object.require_no_more();
+    request_.zones = std::move(zones);
+  }
+
+  std::string name_;
+  fs::path folder_;
+  nlohmann::json json_;
+  Request request_;
+};
+
+}  // namespace
+
+Request read_request(const fs::path& path) { return RequestReader(path).read(); }
+
+}  // namespace solitaire::tiles

@@ -1,0 +1,88 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engines/tiles/model/problem.h"
+#include "engines/tiles/sample/weights.h"
+
+namespace solitaire::tiles {
+
+/// Tiles of sites of a window that later factors still need, packed: each has a slot of so many bits.
+using FrontierKey = PatchCode;
+
+/// A soft factor whose tiles are all known once a site of the window has got its tile.
+struct ClosingFactor {
+  struct Part {
+    unsigned slot;   // first bit of the tile in the key
+    unsigned shift;  // and in the patch's code
+  };
+
+  const PatchIndex* patches;
+  const std::uint32_t* table;          // the patches' numbers by code, or null
+  const double* multipliers;           // by the patch's number
+  PatchCode standing;                  // the code's part of tiles around the window
+  unsigned own_shift;                  // of the tile that is chosen
+  std::uint32_t first_part, end_part;  // tiles of the window, among the parts of the plan
+};
+
+/// A pair of the site with an earlier one of the window.
+struct ClosingPair {
+  const PairRules* rules;
+  std::size_t axis;
+  int step;  // from the earlier site to this one
+  unsigned slot;
+};
+
+/// What happens when a site of a window gets its tile.
+struct PlanStep {
+  std::uint32_t site;
+  TileMask tiles;           // that go with the domain and the tiles around the window
+  std::vector<double> own;  // by tile: the product of factors that depend on no other site of the window
+  std::vector<ClosingPair> pairs;
+  std::vector<ClosingFactor> factors;
+  FrontierKey kept = 0;  // the bits of the key that are needed afterwards
+  bool needed = false;   // the site's own tile is
+  unsigned slot = 0;     // then this is its place in the key
+};
+
+/// How a window is redrawn: its sites in order, and the factors that close at each.
+class WindowPlan {
+ public:
+  /// Prepares for windows of a problem.
+  explicit WindowPlan(const Problem& problem);
+
+  /// Lays out the window of these sites, chosen in this order; the other sites are as on the map. Returns
+  /// false if more sites would have to be remembered at a time than fit a key.
+  bool lay_out(const Grid& map, std::span<const std::uint32_t> sites, Weights& weights);
+
+  std::span<const PlanStep> steps() const { return {steps_.data(), used_}; }
+  std::span<const ClosingFactor::Part> parts(const ClosingFactor& factor) const {
+    return {parts_.data() + factor.first_part, factor.end_part - factor.first_part};
+  }
+
+ private:
+  static constexpr std::uint32_t kOutside = UINT32_MAX;
+
+  void find_pairs(const Grid& map, std::uint32_t place);
+  void find_factors(const Grid& map, std::uint32_t place, Weights& weights);
+  void close_factor(const Grid& map, std::uint32_t place, std::size_t shape, const Point& anchor,
+                    std::size_t own, Weights& weights);
+  void need(std::uint32_t place, std::uint32_t until);
+  bool assign_slots();
+  std::uint32_t place_of(std::size_t site) const {
+    const std::uint32_t place = places_[site];
+    return place < used_ && steps_[place].site == site ? place : kOutside;
+  }
+
+  const Problem& problem_;
+  std::vector<std::vector<Point>> offsets_;  // of the shapes' sites
+  std::vector<std::uint32_t> places_;        // by site: its place in the window, if it is there
+  std::vector<PlanStep> steps_;              // the first used_ of them are the plan
+  std::size_t used_ = 0;
+  std::vector<ClosingFactor::Part> parts_;   // of all factors
+  std::vector<std::uint32_t> needed_until_;  // by place: the last step that needs its tile
+  std::vector<unsigned> slot_of_;            // by place
+};
+
+}  // namespace solitaire::tiles

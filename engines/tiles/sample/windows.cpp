@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/hash.h"
+#include "engines/tiles/model/uniform.h"
+#include "engines/tiles/sample/frontier.h"
+#include "engines/tiles/sample/sampler.h"
+#include "engines/tiles/sample/sweep.h"
+
+namespace solitaire::tiles {
+namespace {
+
+constexpr int kBoxLength = 8, kBoxHeight = 6;  // of windows where global rules are looked at
+constexpr double kPull = 1.5;                  // how much a window that mends a global rule is favoured
+constexpr std::uint64_t kMostMending = 400;    // sweeps that are added until the rules hold
+
+/// Makes one map.
+class WindowSampling {
+ public:
+  WindowSampling(const Problem& problem, const std::vector<TileMask>& domains, const SamplerOptions& options,
+                 std::uint64_t number, const StopSignal& stop)
+      : problem_(problem),
+        domains_(domains),
+        options_(options),
+        key_(mix(options.seed, number)),
+        stop_(stop),
+        plan_(problem),
+        frontier_(problem),
+        weights_(problem.style()) {}
+
+  void run(Sample& sample) {
+    sample_ = &sample;
+    if (!problem_.global_rules().empty()) violation_ = problem_.violation(sample.map);
+    const std::uint64_t mending = options_.effort > 0 ? options_.effort : kMostMending;
+    const std::uint64_t planned = options_.anneal + options_.sweeps;
+    while (sample.sweeps < planned || (violation_ > 0 && sample.sweeps < planned + mending)) {
+      if (stop_.stopped()) {
+        sample.outcome = Outcome::kStopped;
+        return;
+      }
+      const double done = static_cast<double>(sample.sweeps + 1) / static_cast<double>(options_.anneal + 1);
+      weights_.set_power(std::min(1.0, done));
+      sweep();
+      ++sample.sweeps;
+    }
+    if (violation_ > 0) sample.outcome = Outcome::kGaveUp;
+  }
+
+ private:
+  void sweep() {
+    const std::uint64_t sweep = sample_->sweeps;
+    RandomStream cuts(key_, Purpose::kTiles, mix(sweep, UINT64_MAX));
+    const bool global = !problem_.global_rules().empty();
+    SweepPlan::Windows windows =
+        global ? plan_.boxes(kBoxLength, kBoxHeight, sweep, cuts) : plan_.bands(sweep, cuts);
+    for (std::uint64_t number = 0; number < windows.size(); ++number) {
+      if (stop_.stopped()) return;
+      leave_out_fixed(windows[number]);
+      if (windows[number].empty()) continue;
+      RandomStream random(key_, Purpose::kTiles, mix(sweep, number));
+      ++sample_->windows;
+      global ? redraw_under_rules(windows[number], random) : redraw(windows[number], random);
+    }
+  }
+
+  /// Takes the sites out of a window that have the same tile in all maps.
+  void leave_out_fixed(std::vector<std::uint32_t>& sites) const {
+    std::erase_if(sites, [this](std::uint32_t site) { return domains_[site].size() == 1; });
+  }
+
+  void redraw(const std::vector<std::uint32_t>& sites, RandomStream& random) {
+    if (!frontier_.redraw(sample_->map, sites, weights_, random)) ++sample_->left;
+  }
+
+  /// Puts the window back if it breaks a rule that held.
+  void redraw_under_rules(const std::vector<std::uint32_t>& sites, RandomStream& random) {
+    Grid& map = sample_->map;
+    before_.clear();
+    for (const std::uint32_t site : sites) before_.push_back(map[site]);
+    redraw(sites, random);
+    const std::uint64_t violation = problem_.violation(map);
+    if (accept(violation, random)) {
+      violation_ = violation;
+      return;
+    }
+    ++sample_->refused;
+    for (std::size_t place = 0; place < sites.size(); ++place) map[sites[place]] = before_[place];
+  }
+
+  bool accept(std::uint64_t violation, RandomStream& random) const {
+    if (violation <= violation_) return true;
+    if (violation_ == 0) return false;
+    return uniform(random) < std::exp(-kPull * static_cast<double>(violation - violation_));
+  }
+
+  const Problem& problem_;
+  const std::vector<TileMask>& domains_;
+  const SamplerOptions& options_;
+  std::uint64_t key_;
+  const StopSignal& stop_;
+  SweepPlan plan_;
+  Frontier frontier_;
+  Weights weights_;
+  Sample* sample_ = nullptr;
+  std::uint64_t violation_ = 0;
+  std::vector<Tile> before_;
+};
+
+}  // namespace
+
+Sample sample_windows(const Problem& problem, const std::vector<TileMask>& domains,
+                      const SamplerOptions& options, std::uint64_t number, const StopSignal& stop) {
+  Sample sample;
+  RandomStream random(mix(options.seed, number), Purpose::kTiles, UINT64_MAX);
+  sample.outcome = make_start(problem, domains, random, stop, sample.map);
+  if (sample.outcome == Outcome::kFound) WindowSampling(problem, domains, options, number, stop).run(sample);
+  return sample;
+}
+
+}  // namespace solitaire::tiles

@@ -1,0 +1,36 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "engines/tiles/model/problem.h"
+
+namespace solitaire::tiles {
+
+/// All maps of a small problem that keep all rules, with their probabilities. Found by trying all tiles at
+/// all sites, by the definition of the distribution and without any code of the samplers.
+class Enumeration {
+ public:
+  explicit Enumeration(const Problem& problem);
+
+  std::size_t size() const { return probability_.size(); }
+  const std::map<std::vector<Tile>, double>& probability() const { return probability_; }
+
+  /// Counts draws, for a test of them against the probabilities.
+  void draw(const Grid& map);
+  /// Returns Pearson's chi squared over its degrees of freedom. Maps that are expected fewer than five times
+  /// are taken together.
+  double chi_squared() const;
+  /// Returns how many draws were no map of the problem.
+  std::size_t strangers() const { return strangers_; }
+
+ private:
+  void extend(Grid& map, std::size_t site);
+  double log_weight(const Grid& map) const;
+
+  const Problem& problem_;
+  std::map<std::vector<Tile>, double> probability_;
+  std::map<std::vector<Tile>, std::size_t> drawn_;
+  std::size_t draws_ = 0, strangers_ = 0;
+};
+
+}  // namespace solitaire::tiles
