@@ -84,7 +84,7 @@ TEST_CASE("min distance: the same by Z3, without diversity, and over paths that 
   }
 }
 
-TEST_CASE("min distance: of generated programs") {
+TEST_CASE("min distance: of generated programs (slow)") {
   TracingOptions little;
   little.exploration.unasked_sides = 0;
   little.exploration.levels = 1;
