@@ -14,7 +14,9 @@ enum class Purpose : std::uint64_t {
   kSample = 5,
   kCount = 6,
   kPicture = 7,
-  kTiles = 8
+  kTiles = 8,
+  kNearby = 9,
+  kSigns = 10
 };
 
 /// A counter-based stream keyed by (seed, purpose, index): its numbers depend on nothing else, on any

@@ -1,8 +1,8 @@
 #include "library/formula.h"
 
 #include "scene/atomic_file.h"
-#include "smt/sat/dimacs.h"
-#include "smt/z3/z3_solver.h"
+#include "smt/write_dimacs.h"
+#include "smt/write_smtlib.h"
 
 namespace solitaire::api {
 

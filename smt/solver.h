@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "solitaire/run/evaluator.h"
+#include "base/stop_signal.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {

@@ -6,12 +6,15 @@
 #include <array>
 #include <doctest/doctest.h>
 #include <functional>
+#include <memory>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "smt/cdcl/enumerator.h"
+#include "smt/nearby_then_cadical.h"
 #include "smt/sat/cadical_solver.h"
-#include "smt/sat/enumerator.h"
 #include "smt/z3/z3_solver.h"
 #include "tracegraph/assignment.h"
 #include "tracegraph/graph.h"
@@ -129,6 +132,11 @@ Clauses with(Clauses clauses, const std::vector<NodeId>& units) {
   return clauses;
 }
 
+std::unique_ptr<Solver> make_solver(const Graph& graph, std::uint64_t seed, bool takes_suggestions) {
+  if (takes_suggestions) return make_nearby_then_cadical(graph, {seed, false});
+  return make_cadical_solver(graph, seed);
+}
+
 void check_model(const Thicket& thicket, Solver& solver, const Clauses& clauses) {
   std::vector<std::int64_t> values;
   for (std::size_t i = 0; i < thicket.graph.variables().size(); ++i) {
@@ -147,7 +155,7 @@ TEST_CASE(
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const bool diverse = seed % 2 == 1;  // then models are found without CaDiCaL, too
     Thicket thicket(seed, false, kFew);
-    const auto solver = make_cadical_solver(thicket.graph, {seed, diverse});
+    const auto solver = make_solver(thicket.graph, seed, diverse);
     std::mt19937_64 random(seed);
     Clauses added;
     for (int round = 0; round < 12; ++round) {
@@ -220,7 +228,7 @@ TEST_CASE("cadical: agrees with Z3 on random graphs") {
     Thicket thicket(seed, true,
                     {{-100, 100, 1, {}}, {0, 255, 1, {}}, {1, 64, 1, {}}, {-7, 90, 7, {}}, {0, 1, 1, {}}});
     for (int i = 0; i < 150; ++i) thicket.grow();
-    const auto cadical = make_cadical_solver(thicket.graph, {});
+    const auto cadical = make_cadical_solver(thicket.graph);
     const auto z3 = make_z3_solver(thicket.graph, thicket.addresses, {});
     for (int round = 0; round < 10; ++round) {
       const std::vector<NodeId> clause = thicket.conditions(3);
@@ -256,7 +264,7 @@ TEST_CASE("cadical: a division by zero that does not matter rules nothing out") 
   for (const Distribution& a : {Distribution{0, 9, 1, {}}, {-9, 9, 1, {}}, {-9, -1, 1, {}}}) {
     for (const Distribution& b : {Distribution{0, 3, 1, {}}, {-2, 2, 1, {}}, {-4, 0, 1, {}}}) {
       Quotients q(a, b);
-      const auto solver = make_cadical_solver(q.graph, {});
+      const auto solver = make_cadical_solver(q.graph);
       const NodeId quotient = q.graph.apply(Op::kDiv, {q.x, q.y});
       const NodeId rest = q.graph.apply(Op::kMod, {q.x, q.y});
       const NodeId sum = q.graph.apply(Op::kAdd, {q.graph.apply(Op::kMul, {quotient, q.y}), rest});
@@ -280,7 +288,7 @@ TEST_CASE("cadical: with each pair of values excluded once found, every pair is 
   for (const Distribution& a : domains) {
     for (const Distribution& b : domains) {
       Quotients q(a, b);
-      const auto solver = make_cadical_solver(q.graph, {});
+      const auto solver = make_cadical_solver(q.graph);
       std::size_t found = 0;
       for (; solver->check({}, never) == Verdict::kSatisfiable; ++found) {
         const NodeId differs[] = {q.graph.negation(q.is(q.x, solver->value(0))),
@@ -384,7 +392,7 @@ TEST_CASE("circuit: equal gates are one, whatever the signs and the order of the
 TEST_CASE("cadical: suggestions are followed where nothing is against them, also for choices met later") {
   const StopSignal never;
   Quotients q({-20, 20, 1, {}}, {0, 60, 4, {}});
-  const auto solver = make_cadical_solver(q.graph, {0, true});
+  const auto solver = make_nearby_then_cadical(q.graph, {});
   for (const std::int64_t value : {-20, -7, 0, 13, 20}) {
     CHECK(solver->suggest(0, value));
     CHECK(solver->suggest(1, 20 + 2 * value));
@@ -401,7 +409,7 @@ TEST_CASE("cadical: suggestions are followed where nothing is against them, also
 TEST_CASE("cadical: a choice that no condition depends on takes its suggested value, or one of its domain") {
   const StopSignal never;
   Quotients q({5, 9, 1, {}}, {3, 7, 1, {}});
-  const auto solver = make_cadical_solver(q.graph, {0, true});
+  const auto solver = make_nearby_then_cadical(q.graph, {});
   solver->suggest(1, 6);
   REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
   CHECK(solver->value(0) == 5);
@@ -436,7 +444,7 @@ struct Pigeons {
 
 TEST_CASE("cadical: a check that was stopped can be followed by others") {
   Pigeons pigeons(12);
-  const auto solver = make_cadical_solver(pigeons.graph, {});
+  const auto solver = make_cadical_solver(pigeons.graph);
   pigeons.fill(*solver);
   const NodeId all[] = {pigeons.last_is_there()};
   StopSignal soon;
@@ -457,7 +465,7 @@ TEST_CASE("cadical: the same calls with the same seed give the same models") {
   const StopSignal never;
   const auto models = [&](std::uint64_t seed) {
     Pigeons pigeons(9);
-    const auto solver = make_cadical_solver(pigeons.graph, {seed, true});
+    const auto solver = make_nearby_then_cadical(pigeons.graph, {seed, false});
     pigeons.fill(*solver);
     std::vector<std::int64_t> values;
     for (std::int64_t round = 0; round < 5; ++round) {
@@ -489,7 +497,7 @@ TEST_CASE("cadical: graphs may be deeper than the machine's stack") {
                         : graph.disjunction(deep, flip);
   }
   const StopSignal never;
-  const auto solver = make_cadical_solver(graph, {});
+  const auto solver = make_cadical_solver(graph);
   solver->add_clause({&deep, 1});
   REQUIRE(solver->check({}, never) == Verdict::kSatisfiable);
   Assignment model(graph, [&](std::size_t variable) { return Scalar::of(solver->value(variable)); });

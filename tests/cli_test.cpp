@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <unistd.h>
+#include <z3++.h>
 
 #include "scene/gltf/reader.h"
-#include "smt/z3/z3_api.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
 

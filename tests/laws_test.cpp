@@ -10,11 +10,16 @@
 #include <optional>
 #include <random>
 #include <vector>
+#include <z3++.h>
 
+#include "smt/nearby_then_cadical.h"
+#include "smt/operation_rows.h"
 #include "smt/sat/cadical_solver.h"
+#include "smt/unsupported_operation.h"
+#include "smt/write_smtlib.h"
 #include "smt/z3/z3_solver.h"
+#include "tests/proof.h"
 #include "tracegraph/assignment.h"
-#include "tracegraph/graph.h"
 
 namespace solitaire {
 namespace {
@@ -527,7 +532,7 @@ struct Z3 {
 };
 struct Cadical {
   static std::unique_ptr<Solver> make(const Graph& graph, const AddressTable&) {
-    return make_cadical_solver(graph, {});
+    return make_cadical_solver(graph);
   }
 };
 
@@ -724,6 +729,103 @@ TEST_CASE_TEMPLATE("solver: a stop signal ends a check", BackEnd, Z3, Cadical) {
   const NodeId condition = puzzle.is(puzzle.choice({0, 9, 1, {}}), 3);
   const auto solver = BackEnd::make(puzzle.graph, puzzle.addresses);
   CHECK(solver->check({&condition, 1}, puzzle.never) == Verdict::kStopped);
+}
+
+// ---- formulas as SMT-LIB
+
+/// Decides a script by two solvers that share no code with each other or with what wrote it.
+std::string verdict_on(const std::string& smt2) {
+  const std::string verdict = cvc5_verdict(smt2);
+  z3::context context;
+  z3::solver solver(context);
+  solver.from_string(smt2.c_str());
+  const z3::check_result z3_verdict = solver.check();
+  CHECK(verdict == (z3_verdict == z3::sat ? "sat" : z3_verdict == z3::unsat ? "unsat" : "unknown"));
+  return verdict;
+}
+
+TEST_CASE("smtlib: what is written of every operation agrees with its fold") {
+  const ChoiceDomain whole{-kIntLimit, kIntLimit, kIntLimit, {}}, sign{-1, 1, 1, {}};
+  const ChoiceDomain top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
+  std::vector<std::vector<ChoiceDomain>> cases = {{top, bottom}, {top, sign}, {bottom, sign}, {whole, sign}};
+  for (const std::size_t first : {0, 4, 10}) {
+    for (const std::size_t second : {5, 11, 15})
+      cases.push_back({kDomains[first], kDomains[second], kDomains[3]});
+  }
+  for (const std::vector<ChoiceDomain>& domains : cases) {
+    Puzzle puzzle;
+    for (const ChoiceDomain& domain : domains) puzzle.choice(domain);
+    const NodeId differ = difference(puzzle, domains, std::nullopt);
+    CAPTURE(domains[0].lo);
+    CAPTURE(domains[1].lo);
+    CHECK(verdict_on(to_smt2(puzzle.graph, puzzle.addresses, {{differ}})) == "unsat");
+  }
+}
+
+TEST_CASE("smtlib: a choice has the values of its domain, each and no other, as the solvers have it") {
+  for (const ChoiceDomain& domain : kDomains) {
+    for (const std::int64_t value : {domain.lo, domain.lo + 1, domain.hi - 1, domain.hi}) {
+      Puzzle puzzle;
+      const NodeId x = puzzle.choice(domain), y = puzzle.choice({-2000, 2000, 1, {}});
+      const NodeId conditions[] = {puzzle.graph.apply(Op::kEqInt, {x, y}), puzzle.is(y, value)};
+      const NodeId both = puzzle.graph.conjunction(conditions[0], conditions[1]);
+      CAPTURE(domain.lo);
+      CAPTURE(value);
+      CHECK(domain.contains(value) == puzzle.possible<Cadical>(both));
+      CHECK(verdict_on(to_smt2(puzzle.graph, puzzle.addresses, conditions)) ==
+            (domain.contains(value) ? "sat" : "unsat"));
+    }
+  }
+}
+
+TEST_CASE("smtlib: random conditions are decided as the operations fold") {
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    Sketch sketch(seed, false);
+    for (int i = 0; i < 40; ++i) sketch.grow();
+    std::vector<NodeId> wanted;  // what holds under the first assignment
+    for (std::size_t v = 0; v < sketch.variables.size(); ++v) {
+      const NodeId value = sketch.graph.constant(sketch.assignments[0][v]);
+      wanted.push_back(sketch.graph.apply(Op::kEqInt, {sketch.variables[v], value}));
+    }
+    NodeId last = kTrue;
+    for (const Sketch::Known& known : sketch.known) {
+      if (known.type != Type::kBool || !known.meaning[0]) continue;
+      last = known.meaning[0]->i != 0 ? known.node : sketch.graph.negation(known.node);
+      wanted.push_back(last);
+    }
+    CAPTURE(seed);
+    CHECK(verdict_on(to_smt2(sketch.graph, sketch.addresses, wanted)) == "sat");
+    wanted.push_back(sketch.graph.negation(last));
+    CHECK(verdict_on(to_smt2(sketch.graph, sketch.addresses, wanted)) == "unsat");
+  }
+}
+
+TEST_CASE("solver: an operation is refused that the operation table puts on floats, and no other") {
+  for (std::size_t i = 0; i < kOpCount; ++i) {
+    const Op op = static_cast<Op>(i);
+    CHECK(has_bits(op) == !operation(op).on_floats());
+  }
+}
+
+TEST_CASE("solver: conditions on floats are refused, by the operation that bits cannot express") {
+  Puzzle puzzle;
+  const NodeId as_float = puzzle.graph.apply(Op::kToFloat, {puzzle.choice({0, 9, 1, {}})});
+  const NodeId condition = puzzle.graph.apply(Op::kLtFloat, {as_float, puzzle.graph.constant(2.5)});
+  const auto refused_by = [&](const std::function<void()>& action) {
+    try {
+      action();
+    } catch (const UnsupportedOperation& error) {
+      return error.node;
+    }
+    return kTrue;
+  };
+  const auto refusal_of = [&](Solver& solver) {
+    return refused_by([&] { solver.add_clause({&condition, 1}); });
+  };
+  CHECK(refusal_of(*make_cadical_solver(puzzle.graph)) == condition);
+  CHECK(refusal_of(*make_nearby_then_cadical(puzzle.graph, {})) == condition);
+  CHECK(refusal_of(*make_z3_solver(puzzle.graph, puzzle.addresses, {})) == condition);
+  CHECK(refused_by([&] { to_smt2(puzzle.graph, puzzle.addresses, {&condition, 1}); }) == condition);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "smt/sat/dimacs.h"
-#include "smt/z3/z3_solver.h"
+#include "smt/write_dimacs.h"
+#include "smt/write_smtlib.h"
 #include "tests/command.h"
 #include "tests/proof_check.h"
 

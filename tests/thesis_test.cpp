@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "engines/thesis/all_different.h"
-#include "smt/z3/encode.h"
+#include "smt/z3/z3_solver.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
 

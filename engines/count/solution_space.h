@@ -5,7 +5,7 @@
 #include "engines/solve/met_choices.h"
 #include "engines/solve/tracing.h"
 #include "smt/sat/bit_blast.h"
-#include "smt/sat/projected_models.h"
+#include "smt/xor/projected_models.h"
 
 namespace solitaire {
 

@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "engines/random_choices.h"
+#include "smt/nearby_then_cadical.h"
 #include "smt/sat/cadical_solver.h"
 #include "smt/z3/z3_solver.h"
 
@@ -25,7 +26,8 @@ std::unique_ptr<Solver> make_solver(const Graph& graph, const AddressTable& addr
         throw std::logic_error("the dissertation's engine explores at random");
       return make_z3_solver(graph, addresses, {seed, false, true, kThesisWidth});
   }
-  return make_cadical_solver(graph, {seed, options.diverse, options.far_apart});
+  if (options.diverse) return make_nearby_then_cadical(graph, {seed, options.far_apart});
+  return make_cadical_solver(graph, seed);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "engines/solve/explore.h"
 #include "engines/solve/min_distance.h"
 #include "engines/solve/pins.h"
-#include "smt/sat/cadical_solver.h"
 #include "smt/solver.h"
 #include "tracegraph/assignment.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "engines/solve/execution_solver.h"
-#include "smt/sat/enumerator.h"
+#include "smt/cdcl/enumerator.h"
 
 namespace solitaire {
 

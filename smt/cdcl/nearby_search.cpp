@@ -4,15 +4,6 @@
 #include <cstdlib>
 
 namespace solitaire {
-namespace {
-
-/// Learned clauses of which half are forgotten.
-constexpr std::size_t kMostLearned = 1000;
-/// Conflicts after which the clock is looked at.
-constexpr std::uint64_t kConflictsUnasked = 64;
-
-}  // namespace
-
 void NearbySearch::suggest(std::size_t variable, std::int64_t value) {
   if (suggestions_.size() <= variable) suggestions_.resize(variable + 1);
   suggestions_[variable] = value;
@@ -23,7 +14,7 @@ std::optional<std::int64_t> NearbySearch::suggestion(std::size_t variable) const
 }
 
 bool NearbySearch::find(std::span<const int> assumptions, const StopSignal& signal) {
-  if (below(100) < forgets_) queue_.clear();
+  if (random_.below(100) < forgets_) queue_.clear();
   take_suggestions();
   return assume(assumptions) && search(signal);
 }
@@ -39,7 +30,7 @@ void NearbySearch::undo_to(std::size_t decisions) {
 
 void NearbySearch::end() {
   undo_to(0);
-  if (propagator_.learned() > kMostLearned) propagator_.forget_half();
+  if (propagator_.learned() > tuning::kMostLearned) propagator_.forget_half();
 }
 
 std::vector<int> NearbySearch::wanted() const {
@@ -93,7 +84,8 @@ bool NearbySearch::assume(std::span<const int> assumptions) {
 bool NearbySearch::search(const StopSignal& signal) {
   const std::size_t assumed = propagator_.decisions();
   const bool found = search_within(conflicts_, assumed, signal);
-  conflicts_ = std::clamp(found ? 2 * conflicts_ : conflicts_ / 4, kFewestConflicts, kMostConflicts);
+  conflicts_ =
+      std::clamp(found ? 2 * conflicts_ : conflicts_ / 4, tuning::kFewestConflicts, tuning::kMostConflicts);
   return found;
 }
 
@@ -104,7 +96,7 @@ bool NearbySearch::search_within(std::uint64_t conflicts, std::size_t assumed, c
       if (literal == 0) return true;
       propagator_.decide(literal);
     } else {
-      if (!learn(assumed) || (++met % kConflictsUnasked == 0 && signal.stopped())) return false;
+      if (!learn(assumed) || (++met % tuning::kConflictsPerLookNearby == 0 && signal.stopped())) return false;
     }
   }
   return false;
@@ -151,7 +143,7 @@ void NearbySearch::draw(std::size_t choice) {
   const std::span<const int> inputs = search_.inputs(choice);
   const auto open = static_cast<std::size_t>(
       std::ranges::count_if(inputs, [this](int input) { return propagator_.is_open(input); }));
-  std::size_t to_reach = ordered_[choice] ? below(open + 1) : 0;
+  std::uint64_t to_reach = ordered_[choice] ? random_.below(open + 1) : 0;
   for (const int input : inputs) {
     if (!propagator_.is_open(input)) {
       want(input, propagator_.value(input) > 0);
@@ -159,12 +151,9 @@ void NearbySearch::draw(std::size_t choice) {
       want(input, to_reach > 0);
       to_reach -= to_reach > 0 ? 1 : 0;
     } else {
-      want(input, below(2) != 0);
+      want(input, random_.below(2) != 0);
     }
   }
 }
-
-/// From 0 to one less than the bound, which is so small that the modulus favours nothing visibly.
-std::size_t NearbySearch::below(std::size_t bound) { return static_cast<std::size_t>(random_() % bound); }
 
 }  // namespace solitaire

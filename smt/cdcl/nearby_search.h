@@ -1,55 +1,57 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <span>
 #include <vector>
 
+#include "base/random.h"
+#include "base/stop_signal.h"
 #include "smt/cdcl/choice_search.h"
 #include "smt/cdcl/conflict_analysis.h"
 #include "smt/cdcl/vmtf_queue.h"
-#include "smt/sat/bit_blast.h"
-#include "smt/solver.h"
+#include "smt/sat/graph_clauses.h"
+#include "smt/tuning.h"
 
 namespace solitaire {
 
-/// Looks for a model near suggested values of the choices, depth first, and learns a clause from each
-/// conflict (Marques-Silva and Sakallah 1996). It decides what had a part in the last conflicts, and where
-/// there is nothing of that left, the choice with the fewest values left: to what is suggested or, where that
-/// is out, to one of these at random. What is decided anew gets the value that it had before.
+/// A search of its own for a model near suggested values of the choices. It goes depth first and learns a
+/// clause from each conflict (conflict-driven clause learning; Marques-Silva and Sakallah 1996).
 ///
-/// It takes the clauses as they stand, with none of the preparations of a solver for large formulas, so it
-/// needs a fraction of the time of one where models are many. Where they are few, it gives up, sooner from
-/// time to time.
+/// - It decides first what had a part in the last conflicts and, where nothing of that is left, the choice
+/// with
+///   the fewest values left. A choice gets the value that is suggested or, where that is ruled out, one of
+///   the values that are left, at random. What is decided again gets the value that it had before.
+/// - It takes the clauses as they stand, with none of the preparations of a solver for large formulas. So it
+///   needs a fraction of the time where models are many. Where they are few, it gives up, and sooner from
+///   time to time.
+/// - A model that it finds is one. That it finds none says nothing.
 class NearbySearch {
  public:
-  /// Of the clauses that `cnf` writes into the propagator, for choices of the blaster.
-  /// `forgets`: percent of the searches that begin without regard to earlier conflicts. The more do, the
+  /// Searches in the clauses that were written into the propagator, for choices of the graph they come from.
+  /// `forgets` is the percentage of searches that begin without regard to earlier conflicts. The more do, the
   /// farther apart models are, and the longer the searches.
-  NearbySearch(Propagator& propagator, Cnf& cnf, BitBlaster& blaster, std::uint64_t seed, unsigned forgets)
+  NearbySearch(Propagator& propagator, GraphClauses& clauses, std::uint64_t seed, unsigned forgets)
       : propagator_(propagator),
-        cnf_(cnf),
-        blaster_(blaster),
+        cnf_(clauses.cnf()),
+        blaster_(clauses.blaster()),
         search_(propagator),
-        random_(seed),
+        random_(seed, Purpose::kNearby, 0),
         forgets_(forgets) {}
 
-  /// A value to try first.
+  /// Has the searches to come try that value of a choice first.
   void suggest(std::size_t variable, std::int64_t value);
+  /// Returns the value suggested last for a choice, if any.
   std::optional<std::int64_t> suggestion(std::size_t variable) const;
 
-  /// Whether there is a model under the assumptions, as far as can be seen soon. The model is in the
-  /// propagator until end(). Gives up when the signal comes.
+  /// Returns true if it found a model under the assumptions, which is in the propagator until end(). Gives up
+  /// after some conflicts, or when the signal comes.
   bool find(std::span<const int> assumptions, const StopSignal& signal);
   /// Takes all decisions back.
   void end();
-  /// The literals that the last search wanted to hold, each of another input of a choice.
+  /// Returns the literals that the last search wanted to hold, one for each input of a choice.
   std::vector<int> wanted() const;
 
  private:
-  static constexpr std::uint64_t kMostConflicts = 1000;
-  static constexpr std::uint64_t kFewestConflicts = 8;
-
   void take_suggestions();
   void add_choice(std::size_t variable);
   bool assume(std::span<const int> assumptions);
@@ -67,7 +69,6 @@ class NearbySearch {
   void want(int variable, bool holds);
   bool is_left(std::size_t choice) const;
   void draw(std::size_t choice);
-  std::size_t below(std::size_t bound);
 
   Propagator& propagator_;
   Cnf& cnf_;
@@ -75,13 +76,13 @@ class NearbySearch {
   ChoiceSearch search_;
   ConflictAnalysis analysis_;
   VmtfQueue queue_;
-  std::mt19937_64 random_;
+  RandomStream random_;
   std::vector<std::optional<std::int64_t>> suggestions_;  // by variable of the graph
   std::vector<std::optional<std::size_t>> numbers_;       // of choices in search_, by variable of the graph
   std::vector<bool> ordered_;                             // by choice of search_, see BitBlaster::is_ordered
   std::vector<char> wanted_;                              // by variable
   const unsigned forgets_;
-  std::uint64_t conflicts_ = kMostConflicts;  // after which the next search gives up
+  std::uint64_t conflicts_ = tuning::kMostConflicts;  // after which the next search gives up
 };
 
 }  // namespace solitaire

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "smt/tuning.h"
+
 namespace solitaire {
 namespace {
 
@@ -38,8 +40,8 @@ void Propagator::reserve(int variable) {
 }
 
 Propagator::Propagator() {
-  new_pairs_.reserve(kUsualLiterals / 2);
-  new_triples_.reserve(kUsualLiterals / 3);
+  new_pairs_.reserve(tuning::kUsualLiterals / 2);
+  new_triples_.reserve(tuning::kUsualLiterals / 3);
 }
 
 void Propagator::clause(std::span<const int> literals) {

@@ -4,18 +4,13 @@
 #include <array>
 #include <bit>
 #include <numeric>
-#include <stdexcept>
+
+#include "smt/operation_rows.h"
+#include "smt/tuning.h"
+#include "smt/unsupported_operation.h"
 
 namespace solitaire {
-namespace {
-
-/// Of larger numbers, bits are fewer and clauses shorter.
-constexpr std::uint64_t kMostOrdered = 256;
-constexpr std::uint64_t kMostOrderedProduct = 1024;  // of two that are added
-
-}  // namespace
-
-/// The circuit column of the operation table, in the order of enum Op. Null: no bits say it.
+/// The column of the operation table that says how each operation becomes a circuit.
 struct BitBlasts {
   using B = BitBlaster&;
   using N = const NodeId*;
@@ -31,14 +26,12 @@ struct BitBlasts {
     OrderBlast order;
   };
 
-  static constexpr std::array<Row, kOpCount> kTable = {{
+  static constexpr Row kRows[] = {
       {Op::kConstBool, [](B b, N a) { return constant_literal(b.interval(*a).lo != 0); }, nullptr, nullptr},
       {Op::kConstInt, nullptr, [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); },
        [](B b, N a) { return constant_order(b.interval(*a).lo); }},
-      {Op::kConstFloat, nullptr, nullptr, nullptr},
       {Op::kChoice, nullptr, [](B b, W, N a) { return b.choice_number(*a); },
        [](B b, N a) { return *b.choice(b.graph_.node(*a).payload).order; }},
-      {Op::kChoiceFloat, nullptr, nullptr, nullptr},
 
       {Op::kNot, [](B b, N a) { return !b.literal(a[0]); }, nullptr, nullptr},
       {Op::kAnd, [](B b, N a) { return b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1])); }, nullptr,
@@ -80,37 +73,16 @@ struct BitBlasts {
       {Op::kEqInt, [](B b, N a) { return b.equality(a[0], a[1]); }, nullptr, nullptr},
       {Op::kLtInt, [](B b, N a) { return b.comparison(a[0], a[1], false); }, nullptr, nullptr},
       {Op::kLeInt, [](B b, N a) { return b.comparison(a[0], a[1], true); }, nullptr, nullptr},
-
-      {Op::kToFloat, nullptr, nullptr, nullptr},
-      {Op::kFloor, nullptr, nullptr, nullptr},
-      {Op::kAddFloat, nullptr, nullptr, nullptr},
-      {Op::kSubFloat, nullptr, nullptr, nullptr},
-      {Op::kMulFloat, nullptr, nullptr, nullptr},
-      {Op::kDivFloat, nullptr, nullptr, nullptr},
-      {Op::kNegFloat, nullptr, nullptr, nullptr},
-      {Op::kMinFloat, nullptr, nullptr, nullptr},
-      {Op::kMaxFloat, nullptr, nullptr, nullptr},
-      {Op::kSqrt, nullptr, nullptr, nullptr},
-      {Op::kExp, nullptr, nullptr, nullptr},
-      {Op::kLog, nullptr, nullptr, nullptr},
-      {Op::kPow, nullptr, nullptr, nullptr},
-      {Op::kSin, nullptr, nullptr, nullptr},
-      {Op::kCos, nullptr, nullptr, nullptr},
-      {Op::kAtan2, nullptr, nullptr, nullptr},
-      {Op::kIteFloat, nullptr, nullptr, nullptr},
-      {Op::kEqFloat, nullptr, nullptr, nullptr},
-      {Op::kLtFloat, nullptr, nullptr, nullptr},
-      {Op::kLeFloat, nullptr, nullptr, nullptr},
-  }};
-
-  static constexpr bool in_order() {
-    for (std::size_t i = 0; i < kOpCount; ++i) {
-      if (kTable[i].op != static_cast<Op>(i)) return false;
-    }
-    return true;
-  }
+  };
 };
-static_assert(BitBlasts::in_order(), "every operation has its circuit, in the order of enum Op");
+static_assert(cover_all_operations(BitBlasts::kRows),
+              "every operation that bits can express has its circuit");
+
+namespace {
+
+constexpr std::array<BitBlasts::Row, kOpCount> kBlasts = by_operation(BitBlasts::kRows);
+
+}  // namespace
 
 Literal BitBlaster::condition(NodeId node) {
   compile({node, Form::kBits});
@@ -148,6 +120,7 @@ void BitBlaster::compile(Part part) {
     const Part at = pending.back();
     const std::size_t waiting = pending.size();
     if (!is_compiled(at)) {
+      require_bits(graph_, at.node);
       push_operands(at, pending);
       if (pending.size() > waiting) continue;
       compile_one(at);
@@ -182,9 +155,7 @@ bool BitBlaster::comparable_in_order(NodeId a, NodeId b) const {
 
 void BitBlaster::compile_one(Part part) {
   const Graph::Node& node = graph_.node(part.node);
-  const BitBlasts::Row& row = BitBlasts::kTable[static_cast<std::size_t>(node.op)];
-  if (row.literal == nullptr && row.bits == nullptr)
-    throw std::logic_error("a float operation came to the bit-blaster");
+  const BitBlasts::Row& row = kBlasts[static_cast<std::size_t>(node.op)];
   const NodeId* operands = operation(node.op).arity == 0 ? &part.node : node.operands.data();
   Compiled& compiled = compiled_[part.node.index];
   if (part.form == Form::kOrder) {
@@ -202,8 +173,7 @@ void BitBlaster::compile_one(Part part) {
 /// How many values the node's order would have, at most; 0 if it has none, or too many of them.
 BitBlaster::OrderSize BitBlaster::order_size(NodeId id) const {
   const Graph::Node& node = graph_.node(id);
-  if (node.type() != Type::kInt || BitBlasts::kTable[static_cast<std::size_t>(node.op)].order == nullptr)
-    return {};
+  if (node.type() != Type::kInt || kBlasts[static_cast<std::size_t>(node.op)].order == nullptr) return {};
   if (node.is_constant()) return {1, 0};
   std::array<OrderSize, 3> of;
   for (std::size_t i = 0; i < node.args().size(); ++i) of[i] = order_sizes_[node.operands[i].index];
@@ -211,7 +181,7 @@ BitBlaster::OrderSize BitBlaster::order_size(NodeId id) const {
   const auto size = [&](std::uint64_t most, std::uint64_t stride) -> OrderSize {
     const auto span = static_cast<std::uint64_t>(node.interval.hi - node.interval.lo);
     most = std::min(most, span / std::max<std::uint64_t>(stride, 1) + 1);
-    return most <= kMostOrdered ? OrderSize{most, stride} : OrderSize{};
+    return most <= tuning::kMostOrdered ? OrderSize{most, stride} : OrderSize{};
   };
   const auto either = [&](const OrderSize& x, const OrderSize& y, NodeId first, NodeId second) {
     if (x.most == 0 || y.most == 0) return OrderSize{};
@@ -225,7 +195,7 @@ BitBlaster::OrderSize BitBlaster::order_size(NodeId id) const {
     }
     case Op::kAdd:
     case Op::kSub:
-      if (a.most * b.most == 0 || a.most * b.most > kMostOrderedProduct) return {};
+      if (a.most * b.most == 0 || a.most * b.most > tuning::kMostOrderedSum) return {};
       return size(a.most * b.most, std::gcd(a.stride, b.stride));
     case Op::kMul: {
       const bool first = interval(node.operands[0]).single();
@@ -265,7 +235,7 @@ BitBlaster::Choice& BitBlaster::choice(std::size_t variable) {
   if (!made.inputs.empty()) return made;
   const Distribution& domain = graph_.variables()[variable].domain;
   const Interval steps{0, (domain.hi - domain.lo) / domain.step};
-  if (static_cast<std::uint64_t>(steps.hi) < kMostOrdered) {
+  if (static_cast<std::uint64_t>(steps.hi) < tuning::kMostOrdered) {
     made.order = ordered_input(domain, made.inputs);
   } else {
     made.bits = made.inputs = bounded_input(domain.step == 1 ? Interval{domain.lo, domain.hi} : steps);

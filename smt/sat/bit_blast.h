@@ -24,7 +24,7 @@ class BitBlaster {
  public:
   BitBlaster(const Graph& graph, Circuit& circuit, Cnf& cnf) : graph_(graph), circuit_(circuit), cnf_(cnf) {}
 
-  /// The literal of a bool node. Throws std::logic_error for a node of floats. The bounds of choices that are
+  /// The literal of a bool node. Throws UnsupportedOperation. The bounds of choices that are
   /// met go to the Cnf.
   Literal condition(NodeId node);
   /// Adds literals of which one holds where the condition does. That a choice has another value than this one

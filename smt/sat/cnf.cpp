@@ -4,15 +4,9 @@
 #include <utility>
 
 #include "smt/sat/order_encoded_int.h"
+#include "smt/tuning.h"
 
 namespace solitaire {
-namespace {
-
-/// A conjunction in a clause of at most so many other literals makes as many clauses as it has operands, all
-/// with these literals; in a longer clause it gets a variable.
-constexpr std::size_t kMaxRepeated = 3;
-
-}  // namespace
 
 void ClauseSink::order_implication(const OrderImplication& order_implication) {
   for (std::uint32_t i = 0; i < order_implication.count; ++i) {
@@ -122,7 +116,7 @@ bool Cnf::flatten(std::vector<Literal>& literals) const {
 /// Pushes the clauses that popped_ and the head stand for, if they are no single one.
 bool Cnf::distribute(int head) {
   const std::size_t size = popped_.size() + (head != 0 ? 1 : 0);
-  if (size > kMaxRepeated + 1) return false;
+  if (size > tuning::kMostRepeated + 1) return false;
   const auto inlined = [this](Literal literal) { return inlinable(literal); };
   const auto at = std::find_if(popped_.begin(), popped_.end(), inlined);
   if (at == popped_.end()) return false;

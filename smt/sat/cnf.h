@@ -28,10 +28,6 @@ class ClauseSink {
   virtual void order_implication(const OrderImplication& order_implication);
 };
 
-/// What is reserved for the literals of a list of clauses: none that is left unused costs anything, and a
-/// list that grows step by step takes its memory twice.
-inline constexpr std::size_t kUsualLiterals = 1 << 18;
-
 /// Writes what is required of a circuit's literals as clauses.
 ///
 /// A gate becomes a variable only where it is used, with the clauses of the one direction in which it is used

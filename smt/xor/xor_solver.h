@@ -1,30 +1,34 @@
 #pragma once
-#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
+
+#include "base/stop_signal.h"
 
 namespace solitaire {
 
-/// A SAT solver that knows parities as constraints, in a module of its own that is loaded when it is asked
-/// for. Nothing of the C++ library crosses between the two, no exceptions either, so each may have its own.
+/// A SAT solver that takes equations modulo 2 as constraints of their own: CryptoMiniSat (Soos, Nohl and
+/// Castelluccia, "Extending SAT Solvers to Cryptographic Problems", 2009).
 ///
-/// Literals and variables are numbered as in DIMACS.
+/// Variables are numbered from 1, and a negative literal is the negation of its variable. All functions throw
+/// std::bad_alloc where there is not enough memory.
 class XorSolver {
  public:
-  enum class Verdict { kSatisfiable, kUnsatisfiable, kUndecided, kOutOfMemory };
+  explicit XorSolver(int variables);
+  ~XorSolver();
 
-  virtual ~XorSolver() = default;
-  /// False if there is not enough memory, as below.
-  virtual bool add_clause(const int* literals, std::size_t size) noexcept = 0;
-  /// Of these variables an odd number is true, or an even one.
-  virtual bool add_xor(const int* variables, std::size_t size, bool odd) noexcept = 0;
-  /// Undecided after so many conflicts.
-  virtual Verdict solve(std::uint64_t conflicts) noexcept = 0;
-  /// In the model found last.
-  virtual bool holds(int variable) const noexcept = 0;
+  /// From now on at least one of the literals holds.
+  void clause(std::span<const int> clause);
+  /// From now on the number of these variables that are true is odd, or even.
+  void add_xor(std::span<const int> variables, bool odd);
+  /// Returns true if the constraints have a model. Throws Interrupted.
+  bool satisfiable(const StopSignal& stop);
+  /// Returns the value of a variable in the model that satisfiable() found last.
+  bool holds(int variable) const;
+
+ private:
+  class CryptoMiniSat;
+  std::unique_ptr<CryptoMiniSat> solver_;
 };
-
-/// What the module exports as make_xor_solver: of variables 1 to `variables`; null if there is not enough
-/// memory.
-using MakeXorSolver = XorSolver* (*)(int variables) noexcept;
 
 }  // namespace solitaire

@@ -1,12 +1,16 @@
 #include "smt/z3/encode.h"
 
 #include <array>
-#include <stdexcept>
+#include <string>
 #include <utility>
+
+#include "smt/operation_rows.h"
+#include "smt/unsupported_operation.h"
+#include "smt/z3/z3_solver.h"
 
 namespace solitaire {
 
-/// The encoding column of the operation table, in the order of enum Op. Null: no bit-vector says it.
+/// The column of the operation table that says how Z3 gets each operation. Choices are encoded apart.
 struct Encodings {
   using Encoding = z3::expr (*)(const Encoder&, unsigned width, const NodeId* operands);
 
@@ -27,12 +31,9 @@ struct Encodings {
     Encoding encoding;
   };
 
-  static constexpr std::array<Row, kOpCount> kTable = {{
+  static constexpr Row kRows[] = {
       {Op::kConstBool, [](E e, unsigned, N a) { return e.context_.bool_val(e.interval(*a).lo != 0); }},
       {Op::kConstInt, [](E e, unsigned w, N a) { return e.context_.bv_val(e.interval(*a).lo, w); }},
-      {Op::kConstFloat, nullptr},
-      {Op::kChoice, nullptr},
-      {Op::kChoiceFloat, nullptr},
 
       {Op::kNot, [](E e, unsigned, N a) { return !e.term(a[0]); }},
       {Op::kAnd, [](E e, unsigned, N a) { return e.term(a[0]) && e.term(a[1]); }},
@@ -65,37 +66,16 @@ struct Encodings {
        }},
       {Op::kLtInt, [](E e, unsigned, N a) { return e.less(a[0], a[1], false); }},
       {Op::kLeInt, [](E e, unsigned, N a) { return e.less(a[0], a[1], true); }},
-
-      {Op::kToFloat, nullptr},
-      {Op::kFloor, nullptr},
-      {Op::kAddFloat, nullptr},
-      {Op::kSubFloat, nullptr},
-      {Op::kMulFloat, nullptr},
-      {Op::kDivFloat, nullptr},
-      {Op::kNegFloat, nullptr},
-      {Op::kMinFloat, nullptr},
-      {Op::kMaxFloat, nullptr},
-      {Op::kSqrt, nullptr},
-      {Op::kExp, nullptr},
-      {Op::kLog, nullptr},
-      {Op::kPow, nullptr},
-      {Op::kSin, nullptr},
-      {Op::kCos, nullptr},
-      {Op::kAtan2, nullptr},
-      {Op::kIteFloat, nullptr},
-      {Op::kEqFloat, nullptr},
-      {Op::kLtFloat, nullptr},
-      {Op::kLeFloat, nullptr},
-  }};
-
-  static constexpr bool in_order() {
-    for (std::size_t i = 0; i < kOpCount; ++i) {
-      if (kTable[i].op != static_cast<Op>(i)) return false;
-    }
-    return true;
-  }
+  };
 };
-static_assert(Encodings::in_order(), "every operation has its encoding, in the order of enum Op");
+static_assert(cover_all_operations(Encodings::kRows),
+              "every operation that bits can express has its encoding");
+
+namespace {
+
+constexpr std::array<Encodings::Row, kOpCount> kEncodings = by_operation(Encodings::kRows);
+
+}  // namespace
 
 Encoder::Encoder(z3::context& context, const Graph& graph, const AddressTable& addresses,
                  unsigned fixed_width)
@@ -120,6 +100,7 @@ void Encoder::encode(NodeId node) {
     const NodeId at = pending.back();
     const std::size_t waiting = pending.size();
     if (!terms_[at.index]) {
+      require_bits(graph_, at);
       for (const NodeId operand : graph_.node(at).args()) {
         if (!terms_[operand.index]) pending.push_back(operand);
       }
@@ -133,8 +114,7 @@ void Encoder::encode(NodeId node) {
 z3::expr Encoder::encode_node(NodeId id) {
   const Graph::Node& node = graph_.node(id);
   if (node.op == Op::kChoice) return encode_choice(id);
-  const Encodings::Encoding encoding = Encodings::kTable[static_cast<std::size_t>(node.op)].encoding;
-  if (encoding == nullptr) throw std::logic_error("a float operation came to the bit-vector encoder");
+  const Encodings::Encoding encoding = kEncodings[static_cast<std::size_t>(node.op)].encoding;
   const unsigned result_width = node.type() == Type::kInt ? width(id) : 0;
   if (node.type() == Type::kInt && !fits(node.interval)) exact_ = false;
   const z3::expr made = encoding(*this, result_width, node.is_constant() ? &id : node.operands.data());

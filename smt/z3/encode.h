@@ -1,19 +1,12 @@
 #pragma once
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <vector>
+#include <z3++.h>
 
-#include "smt/z3/z3_api.h"
+#include "tracegraph/address.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
-
-/// A choice has values that ints of a fixed width do not have.
-class ChoiceTooWide : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Compiles nodes of a trace graph to Z3 terms: bools to Bool, ints to bit-vectors. An int whose interval has
 /// no negative value is an unsigned vector of the fewest bits that hold it, any other one a two's complement
@@ -26,7 +19,7 @@ class Encoder {
   /// `fixed_width`: 0 for the least widths, else 2 to 63 bits.
   Encoder(z3::context& context, const Graph& graph, const AddressTable& addresses, unsigned fixed_width = 0);
 
-  /// The term of a bool node. Throws std::logic_error for a node of floats, and ChoiceTooWide.
+  /// The term of a bool node. Throws UnsupportedOperation and ChoiceTooWide.
   z3::expr condition(NodeId node);
   /// Whether no int that has been encoded can have a value that its vector does not hold.
   bool exact() const { return exact_; }

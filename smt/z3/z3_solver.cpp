@@ -3,10 +3,17 @@
 #include <algorithm>
 #include <climits>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
-#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <thread>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
+#include "smt/z3/context.h"
 #include "smt/z3/encode.h"
 
 namespace solitaire {
@@ -43,33 +50,6 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// Lack of memory is no other matter in Z3 than elsewhere: `run` throws std::bad_alloc for it. Z3 forgets its
-/// last error as soon as terms are freed, so its handler has to keep it.
-class MemoryErrors {
- public:
-  explicit MemoryErrors(const z3::context& context) {
-    Z3_set_error_handler(context, [](Z3_context, Z3_error_code error) {
-      if (error == Z3_MEMOUT_FAIL) out_of_memory_ = true;
-    });
-  }
-
-  template <class F>
-  auto run(F action) const {
-    out_of_memory_ = false;
-    try {
-      return action();
-    } catch (const z3::exception&) {
-      if (out_of_memory_) throw std::bad_alloc();
-      throw;
-    }
-  }
-
- private:
-  static thread_local bool out_of_memory_;
-};
-
-thread_local bool MemoryErrors::out_of_memory_ = false;
-
 class Z3Solver : public Solver {
  public:
   Z3Solver(const Graph& graph, const AddressTable& addresses, const Z3Options& options)
@@ -84,11 +64,11 @@ class Z3Solver : public Solver {
   }
 
   void add_clause(std::span<const NodeId> conditions) override {
-    errors_.run([&] { add(conditions); });
+    Z3Context::run([&] { add(conditions); });
   }
 
   Verdict check(std::span<const NodeId> assumptions, const StopSignal& stop) override {
-    return errors_.run([&] { return check_under(assumptions, stop); });
+    return Z3Context::run([&] { return check_under(assumptions, stop); });
   }
 
   void limit_effort(std::uint64_t conflicts) override {
@@ -105,12 +85,12 @@ class Z3Solver : public Solver {
   std::int64_t value(std::size_t variable) override {
     const auto term = encoder_.choice_term(variable);
     if (!term) return graph_.variables()[variable].domain.lo;  // nothing depends on it
-    return errors_.run(
+    return Z3Context::run(
         [&] { return encoder_.decode(variable, model_->eval(*term, true).get_numeral_uint64()); });
   }
 
   std::vector<NodeId> core() override {
-    return errors_.run([&] {
+    return Z3Context::run([&] {
       std::vector<NodeId> core;
       for (const z3::expr& literal : solver_.unsat_core()) {
         for (const auto& [id, assumption] : assumed_) {
@@ -169,8 +149,8 @@ class Z3Solver : public Solver {
   }
 
   const Graph& graph_;
-  z3::context context_;
-  MemoryErrors errors_{context_};
+  Z3Context owned_context_;
+  z3::context& context_ = *owned_context_;
   Encoder encoder_;
   z3::solver solver_;
   std::unique_ptr<z3::model> model_;
@@ -184,20 +164,6 @@ class Z3Solver : public Solver {
 std::unique_ptr<Solver> make_z3_solver(const Graph& graph, const AddressTable& addresses,
                                        const Z3Options& options) {
   return std::make_unique<Z3Solver>(graph, addresses, options);
-}
-
-std::string to_smt2(const Graph& graph, const AddressTable& addresses, std::span<const NodeId> conditions) {
-  z3::context context;
-  return MemoryErrors(context).run([&] {
-    Encoder encoder(context, graph, addresses);
-    z3::solver solver(context);
-    for (const NodeId condition : conditions) {
-      const z3::expr term = encoder.condition(condition);
-      for (const z3::expr& domain : encoder.take_domains()) solver.add(domain);
-      solver.add(term);
-    }
-    return "(set-logic QF_BV)\n" + solver.to_smt2();
-  });
 }
 
 }  // namespace solitaire

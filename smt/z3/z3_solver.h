@@ -1,30 +1,35 @@
 #pragma once
+#include <cstdint>
 #include <memory>
-#include <string>
+#include <stdexcept>
 
 #include "smt/solver.h"
+#include "tracegraph/address.h"
+#include "tracegraph/graph.h"
 
 namespace solitaire {
 
+/// Thrown for a choice that has values which ints of a fixed width cannot hold.
+class ChoiceTooWide : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 struct Z3Options {
   std::uint64_t seed = 0;
-  /// Whether decisions start from random values, which makes successive solutions differ much. Costs some
+  /// If true, decisions start from random values. Successive solutions then differ much, at some cost in
   /// speed.
   bool random_phase = true;
-  /// Z3's default solver for all theories, which is incremental from its second check on, and not the one for
-  /// bit-vectors.
+  /// If true, Z3's default solver for all theories is used, which is incremental from its second check on,
+  /// and not the solver for bit-vectors.
   bool default_solver = false;
-  /// Of every int, in bits; 0: the least that holds all its values. See Encoder.
+  /// The width of every int in bits, or 0 for the least width that holds all its values. See Encoder.
   unsigned fixed_width = 0;
 };
 
-/// The reference back end: Z3's incremental bit-vector solver, on the encoding of encode.h. With a fixed
-/// width add_clause and check throw ChoiceTooWide.
+/// Makes the reference back end: Z3's incremental bit-vector solver, on the encoding of encode.h. With a
+/// fixed width, add_clause and check throw ChoiceTooWide.
 std::unique_ptr<Solver> make_z3_solver(const Graph& graph, const AddressTable& addresses,
                                        const Z3Options& options);
-
-/// The conditions as an SMT-LIB 2 script, with a (check-sat) at its end. Choices are named after their
-/// addresses.
-std::string to_smt2(const Graph& graph, const AddressTable& addresses, std::span<const NodeId> conditions);
 
 }  // namespace solitaire

@@ -1,11 +1,13 @@
 #pragma once
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "base/stop_signal.h"
 #include "smt/sat/cnf.h"
-#include "solitaire/run/evaluator.h"
+#include "smt/xor/xor_solver.h"
 
 namespace solitaire {
 
@@ -38,6 +40,13 @@ class ProjectedModels : public ClauseSink {
                              const StopSignal& stop, std::atomic<std::uint64_t>* found = nullptr) const;
 
  private:
+  void add(const XorConstraint& parity, XorSolver& solver) const;
+  template <class Visit>
+  void for_each_clause(Visit visit) const;
+  template <class ModelSolver, class Satisfiable>
+  std::vector<BitModel> list(ModelSolver& solver, Satisfiable satisfiable, std::size_t most,
+                             std::atomic<std::uint64_t>* found) const;
+
   std::vector<int> literals_;      // of all clauses
   std::vector<std::size_t> ends_;  // of each clause among them
   std::vector<int> projection_;

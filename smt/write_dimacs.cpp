@@ -1,4 +1,4 @@
-#include "smt/sat/dimacs.h"
+#include "smt/write_dimacs.h"
 
 #include <fmt/format.h>
 

@@ -1,18 +1,12 @@
-#include "smt/sat/enumerator.h"
+#include "smt/cdcl/enumerator.h"
 
 #include <algorithm>
 
 #include "smt/cdcl/choice_search.h"
 #include "smt/sat/bit_blast.h"
+#include "smt/tuning.h"
 
 namespace solitaire {
-namespace {
-
-/// Dead ends between two models after which a search that learns will do better.
-constexpr std::uint64_t kMostDeadEnds = 50'000;
-
-}  // namespace
-
 class Enumerator::Search {
  public:
   Search(const Graph& graph, std::span<const NodeId> conditions, std::span<const std::size_t> choices)
@@ -39,8 +33,8 @@ class Enumerator::Search {
         }
         propagator_.decide(literal);
       } else {
-        if (++dead_ends % 256 == 0 && stop.stopped()) return over_ = Outcome::kStopped;
-        if (dead_ends > kMostDeadEnds) return over_ = Outcome::kTooHard;
+        if (++dead_ends % tuning::kDeadEndsPerLook == 0 && stop.stopped()) return over_ = Outcome::kStopped;
+        if (dead_ends > tuning::kMostDeadEnds) return over_ = Outcome::kTooHard;
         if (!search_.turn_back()) return over_ = Outcome::kNone;
       }
     }

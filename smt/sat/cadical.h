@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/stop_signal.h"
+#include "smt/sat/cnf.h"
+#include "smt/solver.h"
+#include "tracegraph/graph.h"
+
+namespace CaDiCaL {
+class Solver;
+}
+
+namespace solitaire {
+
+/// The SAT solver CaDiCaL (Biere, Fazekas, Fleury and Heisinger 2020), set up for this project. It is made,
+/// and gets its clauses, when it is first asked: both take longer than many a search that does without it.
+class Cadical : public ClauseSink {
+ public:
+  enum class Use : std::uint8_t {
+    kProof,      // a single answer, which may be that there is no model
+    kDiversity,  // many models, one after the other, that are far from each other
+  };
+
+  explicit Cadical(Use use = Use::kProof, std::uint64_t seed = 0);
+  ~Cadical() override;
+
+  void clause(std::span<const int> literals) override;
+  void order_implication(const OrderImplication& order_implication) override;
+
+  /// Has the next searches try the literals first, until prefer_nothing().
+  void prefer(std::vector<int> literals);
+  void prefer_nothing();
+
+  /// Returns whether the clauses and the assumptions have a model; kStopped if the signal or the limit of
+  /// conflicts of this call came first. 0 conflicts are no limit.
+  Verdict solve(std::span<const int> assumptions, const StopSignal& signal, std::uint64_t conflicts = 0);
+  /// After kSatisfiable: returns the value of a variable in the model.
+  bool holds(int variable);
+  /// After kUnsatisfiable: returns those of the conditions that the proof needed. Each was assumed by the
+  /// literal at its place.
+  std::vector<NodeId> core(std::span<const NodeId> conditions, std::span<const int> assumed);
+
+ private:
+  void set_up();
+  void tell();
+
+  const Use use_;
+  const std::uint64_t seed_;
+  std::unique_ptr<CaDiCaL::Solver> solver_;
+  std::vector<int> untold_;  // the clauses that CaDiCaL does not know yet, each ended by 0
+  std::vector<OrderImplication> untold_implications_;
+  std::vector<int> preferred_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,80 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+/// The numbers of smt/ that were found by measuring, each with what was measured. Times are CPU times of the
+/// problems in bench/compare on one core of an AMD EPYC; "workspace" and the like are rows there.
+namespace solitaire::tuning {
+
+// ---- Clauses (sat/)
+
+/// The largest number of values for which an int is written in order encoding, and not in bits. With orders,
+/// workspaces of four groups came ten times faster than with bits alone. Larger ints have fewer bits than
+/// values, and shorter clauses.
+inline constexpr std::uint64_t kMostOrdered = 256;
+/// The largest number of pairs of values for which a sum of two ordered ints is ordered, too. Each pair takes
+/// a gate.
+inline constexpr std::uint64_t kMostOrderedSum = 1024;
+
+/// A conjunction in a clause of at most so many other literals makes as many clauses as it has operands, all
+/// with these literals; in a longer clause it gets a variable of its own.
+inline constexpr std::size_t kMostRepeated = 3;
+
+/// The literals for which a list of clauses reserves memory. A list that grows step by step is copied and has
+/// its old and its new memory in use at the same time; memory that is reserved and never written costs
+/// nothing. The first solution of a workspace of three groups took 13.6 ms with this and other lists that do
+/// not grow, and 14.6 ms without.
+inline constexpr std::size_t kUsualLiterals = std::size_t{1} << 18;
+
+// ---- The search near suggestions (cdcl/)
+
+/// The search gives up after at most so many conflicts. A first workspace of three groups takes some 150, one
+/// of six groups 250. Limits of 100 to 3,000 made no difference for twelve queens far apart.
+inline constexpr std::uint64_t kMostConflicts = 1000;
+/// A search that gave up makes the next one give up four times as soon, though not before so many conflicts.
+inline constexpr std::uint64_t kFewestConflicts = 8;
+/// After a search, the older half of the learned clauses is forgotten if there are more than so many. To
+/// forget by quality and not by age made twelve queens far apart no faster.
+inline constexpr std::size_t kMostLearned = 1000;
+/// The stop signal is looked at after so many conflicts.
+inline constexpr std::uint64_t kConflictsPerLookNearby = 64;
+
+/// What brings models apart, in percent.
+struct Spread {
+  unsigned searches_that_forget;  // searches near suggestions that begin without what earlier ones met
+  unsigned random_signs;  // variables that stand for no choice, of which CaDiCaL tries a random sign first
+};
+/// 100 solutions of platforms-6 have a mean distance of 0.77 in 61 ms if no search forgets, 0.80 in 68 ms if
+/// one in eight does, and 0.81 in 83 ms if all do; docs/engine.md has more rows.
+inline constexpr Spread kUsualSpread{12, 10};
+inline constexpr Spread kFarApart{100, 100};
+
+/// CaDiCaL follows the values that the search had come to for so many conflicts. A search that tries given
+/// values first, whatever it learns, can take forever where things stand close.
+inline constexpr std::uint64_t kConflictsNearSuggestions = 300;
+
+/// A search that learns takes over from the enumerator after so many dead ends without a model.
+inline constexpr std::uint64_t kMostDeadEnds = 50'000;
+/// The enumerator looks at the stop signal after so many dead ends.
+inline constexpr std::uint64_t kDeadEndsPerLook = 256;
+
+// ---- CaDiCaL (sat/cadical.cpp)
+
+/// How many conflicts CaDiCaL lets pass between two rounds of eliminating variables, probing and subsumption.
+/// A search after the search near suggestions is short, and what simplifying gains is lost with the next
+/// clause, so these are ten times the values that CaDiCaL has by itself.
+inline constexpr int kEliminationInterval = 20'000;
+inline constexpr int kProbingInterval = 50'000;
+inline constexpr int kSubsumptionInterval = 100'000;
+/// How many conflicts CaDiCaL lets pass before it forgets learned clauses, by itself 300. As solutions are
+/// asked for one after the other, what was learned is worth keeping for a while.
+inline constexpr int kReductionInterval = 1'000;
+/// CaDiCaL asks all the time whether it should stop; the clock is looked at once in so many times.
+inline constexpr unsigned kCadicalQuestionsPerLook = 256;
+
+// ---- CryptoMiniSat (xor/)
+
+/// The stop signal is looked at after so many conflicts.
+inline constexpr std::uint64_t kConflictsPerLookXor = 2000;
+
+}  // namespace solitaire::tuning
