@@ -37,11 +37,6 @@ fs::path find_upwards(std::initializer_list<fs::path> candidates, const std::str
 
 }  // namespace
 
-fs::path find_module(const std::string& name) {
-  const fs::path below = fs::path("solitaire") / name;
-  return find_upwards({below, "lib" / below}, below.string());
-}
-
 fs::path find_data_folder() { return find_upwards({"share/solitaire"}, "share/solitaire"); }
 
 }  // namespace solitaire

@@ -2,14 +2,7 @@
 # where a program looks for data. base/installation.h finds them.
 include(GNUInstallDirs)
 set(SOLITAIRE_DATA_INSTALL_DIR share/solitaire)
-set(SOLITAIRE_MODULE_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/solitaire)
 
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/solitaire)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/assets ${PROJECT_BINARY_DIR}/share/solitaire/assets SYMBOLIC)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/solitaire/std ${PROJECT_BINARY_DIR}/share/solitaire/std SYMBOLIC)
-
-# solitaire_module(NAME): NAME.so is loaded by programs only when they need it.
-function(solitaire_module name)
-  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/solitaire)
-  install(TARGETS ${name} LIBRARY DESTINATION ${SOLITAIRE_MODULE_INSTALL_DIR})
-endfunction()
