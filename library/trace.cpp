@@ -3,7 +3,7 @@
 #include "library/engine_options.h"
 #include "library/program_state.h"
 #include "library/translate.h"
-#include "smt/z3/z3_solver.h"
+#include "smt/write_smtlib.h"
 #include "tracegraph/print.h"
 
 namespace solitaire::api {

@@ -54,12 +54,11 @@ std::string to_dimacs(const Graph& graph, const AddressTable& addresses, std::sp
   }
   std::string comments = kHeader;
   for (std::size_t i = 0; i < graph.variables().size(); ++i) {
-    const Bits bits = blaster.choice_bits(i);
-    if (bits.empty()) continue;  // no condition depends on it
+    if (blaster.choices().inputs(i).empty()) continue;  // no condition depends on it
     const auto& [address, domain] = graph.variables()[i];
     comments += fmt::format("c choice {} = {}..{} step {}:", addresses.text(address), domain.lo, domain.hi,
                             domain.step);
-    for (const Literal bit : bits) comments += bit_text(bit, cnf);
+    for (const Literal bit : blaster.choices().bits(i)) comments += bit_text(bit, cnf);
     comments += '\n';
   }
   return comments + text.problem(cnf.variables());

@@ -745,16 +745,16 @@ std::string verdict_on(const std::string& smt2) {
 }
 
 TEST_CASE("smtlib: what is written of every operation agrees with its fold") {
-  const ChoiceDomain whole{-kIntLimit, kIntLimit, kIntLimit, {}}, sign{-1, 1, 1, {}};
-  const ChoiceDomain top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
-  std::vector<std::vector<ChoiceDomain>> cases = {{top, bottom}, {whole, sign}};
+  const Distribution whole{-kIntLimit, kIntLimit, kIntLimit, {}}, sign{-1, 1, 1, {}};
+  const Distribution top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
+  std::vector<std::vector<Distribution>> cases = {{top, bottom}, {whole, sign}};
   for (const std::size_t first : {4, 10}) {
     for (const std::size_t second : {5, 11})
       cases.push_back({kDomains[first], kDomains[second], kDomains[3]});
   }
-  for (const std::vector<ChoiceDomain>& domains : cases) {
+  for (const std::vector<Distribution>& domains : cases) {
     Puzzle puzzle;
-    for (const ChoiceDomain& domain : domains) puzzle.choice(domain);
+    for (const Distribution& domain : domains) puzzle.choice(domain);
     const NodeId differ = difference(puzzle, domains, std::nullopt);
     CAPTURE(domains[0].lo);
     CAPTURE(domains[1].lo);
@@ -763,7 +763,7 @@ TEST_CASE("smtlib: what is written of every operation agrees with its fold") {
 }
 
 TEST_CASE("smtlib: a choice has the values of its domain, each and no other, as the solvers have it") {
-  for (const ChoiceDomain& domain : kDomains) {
+  for (const Distribution& domain : kDomains) {
     for (const std::int64_t value : {domain.lo, domain.lo + 1, domain.hi - 1, domain.hi}) {
       Puzzle puzzle;
       const NodeId x = puzzle.choice(domain), y = puzzle.choice({-2000, 2000, 1, {}});

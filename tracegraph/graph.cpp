@@ -13,7 +13,6 @@ UndefinedOperation::UndefinedOperation(Op undefined)
     : std::runtime_error(fmt::format("'{}' has no value here", operation(undefined).name)), op(undefined) {}
 
 Graph::Graph() {
-  table_.resize(1024);
   intern({Op::kConstBool, false, {}, {0, 0}, 0});
   intern({Op::kConstBool, false, {}, {1, 1}, 0});
 }
@@ -37,34 +36,17 @@ inline std::uint64_t Graph::hash(const Node& node) {
 }
 
 NodeId Graph::intern(const Node& node) {
-  if (2 * nodes_.size() >= table_.size()) grow_table();
-  const std::uint64_t hash = this->hash(node);
-  const auto mark = static_cast<std::uint32_t>(hash >> 32);
-  const std::size_t mask = table_.size() - 1;
-  std::size_t slot = hash & mask;
-  for (; table_[slot].number != 0; slot = (slot + 1) & mask) {
-    if (table_[slot].mark != mark) continue;
-    const Node& other = nodes_[table_[slot].number - 1];
+  const auto equals = [&](std::uint32_t number) {
+    const Node& other = nodes_[number];
     const bool same_constant = !node.is_constant() || other.interval == node.interval;
-    if (other.op == node.op && other.operands == node.operands && other.payload == node.payload &&
-        same_constant) {
-      return {table_[slot].number - 1};
-    }
-  }
-  nodes_.push_back(node);
-  table_[slot] = {static_cast<std::uint32_t>(nodes_.size()), mark};
-  return {static_cast<std::uint32_t>(nodes_.size() - 1)};
-}
-
-void Graph::grow_table() {
-  table_.assign(2 * table_.size(), {});
-  const std::size_t mask = table_.size() - 1;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const std::uint64_t hash = this->hash(nodes_[i]);
-    std::size_t slot = hash & mask;
-    while (table_[slot].number != 0) slot = (slot + 1) & mask;
-    table_[slot] = {static_cast<std::uint32_t>(i + 1), static_cast<std::uint32_t>(hash >> 32)};
-  }
+    return other.op == node.op && other.operands == node.operands && other.payload == node.payload &&
+           same_constant;
+  };
+  const auto add = [&] {
+    nodes_.push_back(node);
+    return static_cast<std::uint32_t>(nodes_.size() - 1);
+  };
+  return {table_.find_or_add(hash(node), equals, add)};
 }
 
 NodeId Graph::constant(std::int64_t value) { return intern({Op::kConstInt, false, {}, {value, value}, 0}); }

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/unique_table.h"
 #include "tracegraph/address.h"
 #include "tracegraph/distribution.h"
 #include "tracegraph/op.h"
@@ -105,17 +106,10 @@ class Graph {
   void order(NodeId& a, NodeId& b) const;
   bool opposite(NodeId a, NodeId b) const;
   bool is_int(NodeId id, std::int64_t value) const;
-  void grow_table();
   static std::uint64_t hash(const Node& node);
 
-  /// Of the hash table.
-  struct Entry {
-    std::uint32_t number = 0;  // one more than the index of a node; 0: free
-    std::uint32_t mark = 0;    // a part of its hash
-  };
-
   std::vector<Node> nodes_;
-  std::vector<Entry> table_;  // open addressing
+  UniqueTable table_;  // of the nodes
   std::vector<ChoiceVariable> variables_;
   std::vector<NodeId> variable_nodes_;
   struct VariableHash {

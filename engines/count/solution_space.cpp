@@ -77,8 +77,8 @@ const ProjectedModels& SpacePart::models() {
   }
   std::vector<int> projection;
   for (const std::size_t variable : variables_) {
-    compiled->blaster.add_choice(variable);
-    for (const Literal bit : compiled->blaster.choice_bits(variable)) {
+    compiled->blaster.choices().add(variable);
+    for (const Literal bit : compiled->blaster.choices().bits(variable)) {
       if (!is_constant(bit)) projection.push_back(compiled->cnf.equivalent(bit));
     }
   }
@@ -90,13 +90,13 @@ const ProjectedModels& SpacePart::models() {
 void SpacePart::decode(const BitModel& model, VariableValues& values) const {
   std::size_t position = 0;
   for (const std::size_t variable : variables_) {
-    const Bits bits = compiled_->blaster.choice_bits(variable);
+    const Bits bits = compiled_->blaster.choices().bits(variable);
     std::uint64_t number = 0;
     for (std::size_t i = 0; i < bits.size(); ++i) {
       const bool holds = is_constant(bits[i]) ? bits[i] == kTrueLiteral : model[position++];
       if (holds) number |= std::uint64_t{1} << i;
     }
-    values[variable] = compiled_->blaster.decode(variable, number);
+    values[variable] = compiled_->blaster.choices().decode(variable, number);
   }
 }
 

@@ -15,7 +15,10 @@ class Enumerator::Search {
       const Literal holds = blaster_.condition(condition);
       cnf_.add_clause({&holds, 1});
     }
-    for (const std::size_t variable : choices) search_.add(blaster_.add_choice(variable), cnf_);
+    for (const std::size_t variable : choices) {
+      blaster_.choices().add(variable);
+      search_.add(blaster_.choices().inputs(variable), cnf_);
+    }
   }
 
   Outcome next(const StopSignal& stop) {
@@ -41,7 +44,7 @@ class Enumerator::Search {
   }
 
   std::int64_t value(std::size_t variable) const {
-    return blaster_.decode(variable, [this](Literal input) {
+    return blaster_.choices().decode(variable, [this](Literal input) {
       if (is_constant(input)) return input == kTrueLiteral;
       return propagator_.value(cnf_.known_variable(input)) > 0;
     });

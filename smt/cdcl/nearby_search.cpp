@@ -48,23 +48,23 @@ void NearbySearch::want(int variable, bool holds) {
 }
 
 void NearbySearch::take_suggestions() {
-  numbers_.resize(blaster_.choices());
+  numbers_.resize(choices_.size());
   for (std::size_t variable = 0; variable < numbers_.size(); ++variable) {
-    const std::span<const Literal> inputs = blaster_.choice_inputs(variable);
+    const std::span<const Literal> inputs = choices_.inputs(variable);
     if (inputs.empty()) continue;
     if (!numbers_[variable]) add_choice(variable);
     const auto suggested = suggestion(variable);
     if (!suggested) continue;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      if (!is_constant(inputs[i])) want(cnf_.variable(inputs[i]), blaster_.input_at(variable, i, *suggested));
+      if (!is_constant(inputs[i])) want(cnf_.variable(inputs[i]), choices_.input_at(variable, i, *suggested));
     }
   }
 }
 
 void NearbySearch::add_choice(std::size_t variable) {
   numbers_[variable] = ordered_.size();
-  ordered_.push_back(blaster_.is_ordered(variable));
-  search_.add(blaster_.choice_inputs(variable), cnf_);
+  ordered_.push_back(choices_.order(variable) != nullptr);
+  search_.add(choices_.inputs(variable), cnf_);
   draw(ordered_.size() - 1);
 }
 

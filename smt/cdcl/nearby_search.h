@@ -33,7 +33,7 @@ class NearbySearch {
   NearbySearch(Propagator& propagator, GraphClauses& clauses, std::uint64_t seed, unsigned forgets)
       : propagator_(propagator),
         cnf_(clauses.cnf()),
-        blaster_(clauses.blaster()),
+        choices_(clauses.choices()),
         search_(propagator),
         random_(seed, Purpose::kNearby, 0),
         forgets_(forgets) {}
@@ -72,14 +72,14 @@ class NearbySearch {
 
   Propagator& propagator_;
   Cnf& cnf_;
-  BitBlaster& blaster_;
+  const ChoiceEncoding& choices_;
   ChoiceSearch search_;
   ConflictAnalysis analysis_;
   VmtfQueue queue_;
   RandomStream random_;
   std::vector<std::optional<std::int64_t>> suggestions_;  // by variable of the graph
   std::vector<std::optional<std::size_t>> numbers_;       // of choices in search_, by variable of the graph
-  std::vector<bool> ordered_;                             // by choice of search_, see BitBlaster::is_ordered
+  std::vector<bool> ordered_;                             // by choice of search_, see ChoiceEncoding::order
   std::vector<char> wanted_;                              // by variable
   const unsigned forgets_;
   std::uint64_t conflicts_ = tuning::kMostConflicts;  // after which the next search gives up

@@ -1,86 +1,114 @@
 #include "smt/sat/bit_blast.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <numeric>
+#include <cstddef>
+#include <memory>
+#include <utility>
 
 #include "smt/operation_rows.h"
-#include "smt/tuning.h"
 #include "smt/unsupported_operation.h"
 
 namespace solitaire {
-/// The column of the operation table that says how each operation becomes a circuit.
+
+using BoolBlast = Literal (*)(BitBlaster&, const NodeId* operands);
+using BitBlast = Bits (*)(BitBlaster&, std::size_t width, const NodeId* operands);
+using OrderBlast = OrderEncodedInt (*)(BitBlaster&, const NodeId* operands);
+using OrderSizing = OrderSize (*)(const BitBlaster&, Interval result, const NodeId* operands);
+
+/// All that the bit-blaster knows about an operation. A leaf gets itself in place of operands.
+struct BitBlastRow {
+  Op op;
+  BoolBlast literal;           // of a bool; an int has the others
+  BitBlast bits = nullptr;     // in binary
+  OrderBlast order = nullptr;  // in order encoding, or null if there is none
+  OrderSizing size = nullptr;  // how many values the order has
+};
+
 struct BitBlasts {
   using B = BitBlaster&;
+  using C = const BitBlaster&;
   using N = const NodeId*;
-  using W = std::size_t;  // the width of an int result
-  using BoolBlast = Literal (*)(BitBlaster&, const NodeId* operands);
-  using BitBlast = Bits (*)(BitBlaster&, std::size_t width, const NodeId* operands);
-  using OrderBlast = OrderEncodedInt (*)(BitBlaster&, const NodeId* operands);
+  using W = std::size_t;
+  using I = Interval;
 
-  struct Row {
-    Op op;
-    BoolBlast literal;  // of bools; of ints, the others
-    BitBlast bits;
-    OrderBlast order;
-  };
+  // clang-format off
+  static constexpr BitBlastRow kRows[] = {
+      {Op::kConstBool, [](B b, N a) { return constant_literal(b.interval(*a).lo != 0); }},
+      {Op::kConstInt, nullptr,
+       [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); },
+       [](B b, N a) { return constant_order(b.interval(*a).lo); },
+       [](C, I, N) { return OrderSize{1, 0}; }},
+      {Op::kChoice, nullptr,
+       [](B b, W, N a) { return b.choices_.number(*a); },
+       [](B b, N a) { return b.choice_order(*a); },
+       [](C b, I i, N a) { return size_within(i, UINT64_MAX, static_cast<std::uint64_t>(b.graph_.variable(*a).domain.step)); }},
 
-  static constexpr Row kRows[] = {
-      {Op::kConstBool, [](B b, N a) { return constant_literal(b.interval(*a).lo != 0); }, nullptr, nullptr},
-      {Op::kConstInt, nullptr, [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); },
-       [](B b, N a) { return constant_order(b.interval(*a).lo); }},
-      {Op::kChoice, nullptr, [](B b, W, N a) { return b.choice_number(*a); },
-       [](B b, N a) { return *b.choice(b.graph_.node(*a).payload).order; }},
+      {Op::kNot, [](B b, N a) { return !b.literal(a[0]); }},
+      {Op::kAnd, [](B b, N a) { return b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1])); }},
+      {Op::kOr, [](B b, N a) { return b.circuit_.disjunction(b.literal(a[0]), b.literal(a[1])); }},
+      {Op::kEqBool, [](B b, N a) { return b.circuit_.equivalence(b.literal(a[0]), b.literal(a[1])); }},
+      {Op::kIteBool, [](B b, N a) { return b.circuit_.mux(b.literal(a[0]), b.literal(a[1]), b.literal(a[2])); }},
 
-      {Op::kNot, [](B b, N a) { return !b.literal(a[0]); }, nullptr, nullptr},
-      {Op::kAnd, [](B b, N a) { return b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1])); }, nullptr,
-       nullptr},
-      {Op::kOr, [](B b, N a) { return b.circuit_.disjunction(b.literal(a[0]), b.literal(a[1])); }, nullptr,
-       nullptr},
-      {Op::kEqBool, [](B b, N a) { return b.circuit_.equivalence(b.literal(a[0]), b.literal(a[1])); },
-       nullptr, nullptr},
-      {Op::kIteBool,
-       [](B b, N a) { return b.circuit_.mux(b.literal(a[0]), b.literal(a[1]), b.literal(a[2])); }, nullptr,
-       nullptr},
-
-      {Op::kAdd, nullptr, [](B b, W w, N a) { return add(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
-       [](B b, N a) { return sum(b.circuit_, b.order(a[0]), b.order(a[1])); }},
+      {Op::kAdd, nullptr,
+       [](B b, W w, N a) { return add(b.circuit_, b.number(a[0]).sized(w), b.number(a[1]).sized(w)); },
+       [](B b, N a) { return sum(b.circuit_, *b.order(a[0]), *b.order(a[1])); },
+       [](C b, I i, N a) { return sum_size(i, b.order_size(a[0]), b.order_size(a[1])); }},
       {Op::kSub, nullptr,
-       [](B b, W w, N a) { return subtract(b.circuit_, b.sized(a[0], w), b.sized(a[1], w)); },
-       [](B b, N a) { return sum(b.circuit_, b.order(a[0]), negated(b.order(a[1]))); }},
-      {Op::kMul, nullptr, [](B b, W w, N a) { return b.product(a[0], a[1], w); },
+       [](B b, W w, N a) { return subtract(b.circuit_, b.number(a[0]).sized(w), b.number(a[1]).sized(w)); },
+       [](B b, N a) { return sum(b.circuit_, *b.order(a[0]), negated(*b.order(a[1]))); },
+       [](C b, I i, N a) { return sum_size(i, b.order_size(a[0]), b.order_size(a[1])); }},
+      {Op::kMul, nullptr,
+       [](B b, W w, N a) { return product(b.circuit_, b.number(a[0]), b.number(a[1]), w); },
        [](B b, N a) {
          const bool first = b.interval(a[0]).single();
-         return scaled(b.order(a[first ? 1 : 0]), b.interval(a[first ? 0 : 1]).lo);
-       }},
-      {Op::kDiv, nullptr, [](B b, W w, N a) { return b.quotient(a[0], a[1], w); },
-       [](B b, N a) { return divided(b.order(a[0]), b.interval(a[1]).lo); }},
-      {Op::kMod, nullptr, [](B b, W w, N a) { return b.modulus(a[0], a[1], w); }, nullptr},
-      {Op::kNeg, nullptr, [](B b, W w, N a) { return negate_if(b.circuit_, kTrueLiteral, b.sized(a[0], w)); },
-       [](B b, N a) { return negated(b.order(a[0])); }},
-      {Op::kMin, nullptr, [](B b, W w, N a) { return b.extreme(a[0], a[1], true, w); },
-       [](B b, N a) { return smaller(b.circuit_, b.order(a[0]), b.order(a[1])); }},
-      {Op::kMax, nullptr, [](B b, W w, N a) { return b.extreme(a[0], a[1], false, w); },
-       [](B b, N a) { return larger(b.circuit_, b.order(a[0]), b.order(a[1])); }},
+         return scaled(*b.order(a[first ? 1 : 0]), b.interval(a[first ? 0 : 1]).lo);
+       },
+       [](C b, I i, N a) { return product_size(i, b.sized(a[0]), b.sized(a[1])); }},
+      {Op::kDiv, nullptr,
+       [](B b, W w, N a) { return quotient(b.circuit_, b.number(a[0]), b.number(a[1]), w); },
+       [](B b, N a) { return divided(*b.order(a[0]), b.interval(a[1]).lo); },
+       [](C b, I i, N a) { return quotient_size(i, b.sized(a[0]), b.sized(a[1])); }},
+      {Op::kMod, nullptr,
+       [](B b, W w, N a) { return modulus(b.circuit_, b.number(a[0]), b.number(a[1]), w); }},
+      {Op::kNeg, nullptr,
+       [](B b, W w, N a) { return negate_if(b.circuit_, kTrueLiteral, b.number(a[0]).sized(w)); },
+       [](B b, N a) { return negated(*b.order(a[0])); },
+       [](C b, I i, N a) { return size_within(i, b.order_size(a[0]).most, b.order_size(a[0]).stride); }},
+      {Op::kMin, nullptr,
+       [](B b, W w, N a) { return extreme(b.circuit_, b.number(a[0]), b.number(a[1]), true, w); },
+       [](B b, N a) { return smaller(b.circuit_, *b.order(a[0]), *b.order(a[1])); },
+       [](C b, I i, N a) { return either_size(i, b.sized(a[0]), b.sized(a[1])); }},
+      {Op::kMax, nullptr,
+       [](B b, W w, N a) { return extreme(b.circuit_, b.number(a[0]), b.number(a[1]), false, w); },
+       [](B b, N a) { return larger(b.circuit_, *b.order(a[0]), *b.order(a[1])); },
+       [](C b, I i, N a) { return either_size(i, b.sized(a[0]), b.sized(a[1])); }},
       {Op::kAbs, nullptr,
-       [](B b, W w, N a) { return negate_if(b.circuit_, b.bits(a[0]).back(), b.sized(a[0], w)); },
-       [](B b, N a) { return larger(b.circuit_, b.order(a[0]), negated(b.order(a[0]))); }},
+       [](B b, W w, N a) { return negate_if(b.circuit_, b.number(a[0]).bits.back(), b.number(a[0]).sized(w)); },
+       [](B b, N a) { return larger(b.circuit_, *b.order(a[0]), negated(*b.order(a[0]))); },
+       [](C b, I i, N a) { return size_within(i, 2 * b.order_size(a[0]).most, 1); }},
       {Op::kIteInt, nullptr,
-       [](B b, W w, N a) { return select(b.circuit_, b.literal(a[0]), b.sized(a[1], w), b.sized(a[2], w)); },
-       [](B b, N a) { return select(b.circuit_, b.literal(a[0]), b.order(a[1]), b.order(a[2])); }},
+       [](B b, W w, N a) { return select(b.circuit_, b.literal(a[0]), b.number(a[1]).sized(w), b.number(a[2]).sized(w)); },
+       [](B b, N a) { return select(b.circuit_, b.literal(a[0]), *b.order(a[1]), *b.order(a[2])); },
+       [](C b, I i, N a) { return either_size(i, b.sized(a[1]), b.sized(a[2])); }},
 
-      {Op::kEqInt, [](B b, N a) { return b.equality(a[0], a[1]); }, nullptr, nullptr},
-      {Op::kLtInt, [](B b, N a) { return b.comparison(a[0], a[1], false); }, nullptr, nullptr},
-      {Op::kLeInt, [](B b, N a) { return b.comparison(a[0], a[1], true); }, nullptr, nullptr},
+      {Op::kEqInt, [](B b, N a) { return b.equality(a[0], a[1]); }},
+      {Op::kLtInt, [](B b, N a) { return b.comparison(a[0], a[1], false); }},
+      {Op::kLeInt, [](B b, N a) { return b.comparison(a[0], a[1], true); }},
   };
+  // clang-format on
 };
 static_assert(cover_all_operations(BitBlasts::kRows),
               "every operation that bits can express has its circuit");
 
 namespace {
 
-constexpr std::array<BitBlasts::Row, kOpCount> kBlasts = by_operation(BitBlasts::kRows);
+constexpr std::array<BitBlastRow, kOpCount> kBitBlasts = by_operation(BitBlasts::kRows);
+
+const BitBlastRow& row_of(const Graph::Node& node) { return kBitBlasts[static_cast<std::size_t>(node.op)]; }
+
+const NodeId* operands_or_itself(const Graph::Node& node, const NodeId& id) {
+  return operation(node.op).arity == 0 ? &id : node.operands.data();
+}
 
 }  // namespace
 
@@ -92,29 +120,31 @@ Literal BitBlaster::condition(NodeId node) {
 void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& literals) {
   const Graph::Node& negation = graph_.node(condition);
   const Graph::Node& equality = graph_.node(negation.operands[0]);
-  const auto [choice_node, constant, unused] = equality.operands;
-  if (negation.op != Op::kNot || equality.op != Op::kEqInt || graph_.node(choice_node).op != Op::kChoice ||
-      !graph_.node(constant).is_constant()) {
+  const auto [choice, constant, unused] = equality.operands;
+  if (negation.op == Op::kNot && equality.op == Op::kEqInt && graph_.node(choice).op == Op::kChoice &&
+      graph_.node(constant).is_constant()) {
+    add_other_values(graph_.node(choice).payload, interval(constant).lo, literals);
+  } else {
     literals.push_back(this->condition(condition));
-    return;
   }
-  const std::size_t variable = graph_.node(choice_node).payload;
-  const std::int64_t value = interval(constant).lo;
-  const Choice& made = choice(variable);
-  if (made.order) {
-    literals.insert(literals.end(), {!made.order->at_least(value), made.order->more_than(value)});
-    return;
-  }
-  for (std::size_t i = 0; i < made.bits.size(); ++i)
-    literals.push_back(made.bits[i] ^ input_at(variable, i, value));
 }
 
-/// Operands first, on an own stack: the graph can be deeper than the machine's.
+/// Adds literals of which one holds where the choice has another value.
+void BitBlaster::add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals) {
+  choices_.add(variable);
+  if (const OrderEncodedInt* order = choices_.order(variable)) {
+    literals.insert(literals.end(), {!order->at_least(value), order->more_than(value)});
+    return;
+  }
+  const Bits& bits = choices_.bits(variable);
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    literals.push_back(bits[i] ^ choices_.input_at(variable, i, value));
+}
+
+/// Compiles operands first. They wait on a stack of its own, as the graph can be deeper than the machine's.
 void BitBlaster::compile(Part part) {
   compiled_.resize(graph_.size());
-  const auto met = static_cast<std::uint32_t>(order_sizes_.size());
-  order_sizes_.resize(graph_.size());
-  for (std::uint32_t node = met; node < graph_.size(); ++node) order_sizes_[node] = order_size({node});
+  find_order_sizes();
   std::vector<Part> pending{part};
   while (!pending.empty()) {
     const Part at = pending.back();
@@ -150,13 +180,13 @@ BitBlaster::Form BitBlaster::form_of_operands(Part part) const {
 }
 
 bool BitBlaster::comparable_in_order(NodeId a, NodeId b) const {
-  return order_sizes_[a.index].most > 0 && order_sizes_[b.index].most > 0;
+  return order_size(a).is_ordered() && order_size(b).is_ordered();
 }
 
 void BitBlaster::compile_one(Part part) {
   const Graph::Node& node = graph_.node(part.node);
-  const BitBlasts::Row& row = kBlasts[static_cast<std::size_t>(node.op)];
-  const NodeId* operands = operation(node.op).arity == 0 ? &part.node : node.operands.data();
+  const BitBlastRow& row = row_of(node);
+  const NodeId* operands = operands_or_itself(node, part.node);
   Compiled& compiled = compiled_[part.node.index];
   if (part.form == Form::kOrder) {
     orders_.push_back(std::make_shared<OrderEncodedInt>(row.order(*this, operands)));
@@ -170,273 +200,32 @@ void BitBlaster::compile_one(Part part) {
   }
 }
 
-/// How many values the node's order would have, at most; 0 if it has none, or too many of them.
-BitBlaster::OrderSize BitBlaster::order_size(NodeId id) const {
-  const Graph::Node& node = graph_.node(id);
-  if (node.type() != Type::kInt || kBlasts[static_cast<std::size_t>(node.op)].order == nullptr) return {};
-  if (node.is_constant()) return {1, 0};
-  std::array<OrderSize, 3> of;
-  for (std::size_t i = 0; i < node.args().size(); ++i) of[i] = order_sizes_[node.operands[i].index];
-  const auto [a, b, c] = of;
-  const auto size = [&](std::uint64_t most, std::uint64_t stride) -> OrderSize {
-    const auto span = static_cast<std::uint64_t>(node.interval.hi - node.interval.lo);
-    most = std::min(most, span / std::max<std::uint64_t>(stride, 1) + 1);
-    return most <= tuning::kMostOrdered ? OrderSize{most, stride} : OrderSize{};
-  };
-  const auto either = [&](const OrderSize& x, const OrderSize& y, NodeId first, NodeId second) {
-    if (x.most == 0 || y.most == 0) return OrderSize{};
-    const auto offset = static_cast<std::uint64_t>(std::abs(interval(first).lo - interval(second).lo));
-    return size(x.most + y.most, std::gcd(std::gcd(x.stride, y.stride), offset));
-  };
-  switch (node.op) {
-    case Op::kChoice: {
-      const auto step = static_cast<std::uint64_t>(graph_.variable(id).domain.step);
-      return size(UINT64_MAX, step);
-    }
-    case Op::kAdd:
-    case Op::kSub:
-      if (a.most * b.most == 0 || a.most * b.most > tuning::kMostOrderedSum) return {};
-      return size(a.most * b.most, std::gcd(a.stride, b.stride));
-    case Op::kMul: {
-      const bool first = interval(node.operands[0]).single();
-      if (a.most * b.most == 0 || !interval(node.operands[first ? 0 : 1]).single()) return {};
-      return size(a.most * b.most, 1);
-    }
-    case Op::kDiv:
-      if (b.most == 0 || !interval(node.operands[1]).single() || interval(node.operands[1]).lo <= 0)
-        return {};
-      return size(a.most, 1);
-    case Op::kNeg:
-      return size(a.most, a.stride);
-    case Op::kMin:
-    case Op::kMax:
-      return either(a, b, node.operands[0], node.operands[1]);
-    case Op::kIteInt:
-      return either(b, c, node.operands[1], node.operands[2]);
-    case Op::kAbs:
-      return size(2 * a.most, 1);
-    default:
-      return {};
+/// Finds the sizes of nodes that are new in the graph. Operands are older than what uses them.
+void BitBlaster::find_order_sizes() {
+  const auto known = static_cast<std::uint32_t>(order_sizes_.size());
+  order_sizes_.resize(graph_.size());
+  for (std::uint32_t i = known; i < graph_.size(); ++i) {
+    const NodeId id{i};
+    const Graph::Node& node = graph_.node(id);
+    const OrderSizing size = row_of(node).size;
+    if (size != nullptr) order_sizes_[i] = size(*this, node.interval, operands_or_itself(node, id));
   }
 }
 
-/// Upper bits that all values of the interval have in common are constants.
-Bits BitBlaster::with_known_bits(Bits bits, Interval interval) const {
-  const auto differing = static_cast<std::uint64_t>(interval.lo ^ interval.hi);
-  for (auto i = static_cast<std::size_t>(std::bit_width(differing)); i < bits.size(); ++i) {
-    bits[i] = constant_literal(((interval.lo >> i) & 1) != 0);
-  }
-  return bits;
-}
-
-BitBlaster::Choice& BitBlaster::choice(std::size_t variable) {
-  if (choices_.size() <= variable) choices_.resize(graph_.variables().size());
-  Choice& made = choices_[variable];
-  if (!made.inputs.empty()) return made;
-  const Distribution& domain = graph_.variables()[variable].domain;
-  const Interval steps{0, (domain.hi - domain.lo) / domain.step};
-  if (static_cast<std::uint64_t>(steps.hi) < tuning::kMostOrdered) {
-    made.order = ordered_input(domain, made.inputs);
-  } else {
-    made.bits = made.inputs = bounded_input(domain.step == 1 ? Interval{domain.lo, domain.hi} : steps);
-  }
-  return made;
-}
-
-OrderEncodedInt BitBlaster::ordered_input(const Distribution& domain, Bits& inputs) {
-  OrderEncodedInt order = constant_order(domain.lo);
-  for (std::int64_t value = domain.lo + domain.step; value <= domain.hi; value += domain.step) {
-    order.values.push_back(value);
-    order.reached.push_back(circuit_.input());
-    if (order.reached.size() == 1) continue;
-    const Literal reached_before[] = {!order.reached.back(), order.reached.end()[-2]};
-    cnf_.add_clause(reached_before);
-  }
-  inputs = order.reached;
-  return order;
-}
-
-Bits BitBlaster::choice_bits(std::size_t variable) {
-  if (choice_inputs(variable).empty()) return {};
-  Choice& made = choices_[variable];
-  if (made.bits.empty()) made.bits = bits_of_order(variable, *made.order);
-  return made.bits;
-}
-
-/// Each bit holds in some runs of neighbouring values.
-Bits BitBlaster::bits_of_order(std::size_t variable, const OrderEncodedInt& order) {
-  const Distribution& domain = graph_.variables()[variable].domain;
-  const Interval numbers =
-      domain.step == 1 ? Interval{domain.lo, domain.hi} : Interval{0, (domain.hi - domain.lo) / domain.step};
-  Bits bits(static_cast<std::size_t>(bit_width(numbers)), kFalseLiteral);
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    bool holds = false;
-    Literal start;
-    for (const std::int64_t value : order.values) {
-      if ((((bits_of(variable, value) >> i) & 1) != 0) == holds) continue;
-      holds = !holds;
-      if (holds) {
-        start = order.at_least(value);
-      } else {
-        bits[i] = circuit_.disjunction(bits[i], circuit_.conjunction(start, !order.at_least(value)));
-      }
-    }
-    if (holds) bits[i] = circuit_.disjunction(bits[i], start);
-  }
-  return bits;
-}
-
-/// A choice of step 1 is its bits; one of a larger step counts its steps from the lower end.
-Bits BitBlaster::choice_number(NodeId id) {
-  const std::size_t variable = graph_.node(id).payload;
-  const Interval values = interval(id);
-  choice(variable);
-  Bits bits = choice_bits(variable);
-  if (graph_.variable(id).domain.step == 1) return bits;
-  const auto width = static_cast<std::size_t>(bit_width(values));
-  return add(circuit_,
-             multiply(circuit_, resized(std::move(bits), width, false), graph_.variable(id).domain.step),
-             constant_bits(values.lo, width));
-}
-
-Bits BitBlaster::bounded_input(Interval interval) {
-  Bits bits(static_cast<std::size_t>(bit_width(interval)));
-  for (Literal& bit : bits) bit = circuit_.input();
-  bits = with_known_bits(std::move(bits), interval);
-  Bits lo = constant_bits(interval.lo, bits.size());
-  Bits hi = constant_bits(interval.hi, bits.size());
-  Bits offset = bits;
-  if (interval.lo < 0) {
-    for (Bits* each : {&lo, &hi, &offset}) each->back() = !each->back();
-  }
-  for (const Literal bound : {less(circuit_, lo, offset, true), less(circuit_, offset, hi, true)}) {
-    cnf_.add_clause({&bound, 1});
-  }
-  return bits;
-}
-
-std::span<const Literal> BitBlaster::choice_inputs(std::size_t variable) const {
-  if (variable >= choices_.size()) return {};
-  return choices_[variable].inputs;
-}
-
-bool BitBlaster::input_at(std::size_t variable, std::size_t input, std::int64_t value) const {
-  if (choices_[variable].order) return choices_[variable].order->values[input + 1] <= value;
-  return ((bits_of(variable, value) >> input) & 1) != 0;
-}
-
-std::int64_t BitBlaster::decode(std::size_t variable, const std::function<bool(Literal)>& holds) const {
-  const Choice& made = choices_[variable];
-  if (made.order) {
-    const auto reached =
-        static_cast<std::size_t>(std::count_if(made.inputs.begin(), made.inputs.end(), holds));
-    return made.order->values[reached];
-  }
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < made.bits.size(); ++i) bits |= std::uint64_t{holds(made.bits[i])} << i;
-  return decode(variable, bits);
-}
-
-std::int64_t BitBlaster::decode(std::size_t variable, std::uint64_t bits) const {
-  const Distribution& domain = graph_.variables()[variable].domain;
-  if (domain.step != 1) return domain.lo + static_cast<std::int64_t>(bits) * domain.step;
-  if (domain.lo >= 0) return static_cast<std::int64_t>(bits);
-  const int unused = 64 - bit_width({domain.lo, domain.hi});
-  return static_cast<std::int64_t>(bits << unused) >> unused;
-}
-
-std::uint64_t BitBlaster::bits_of(std::size_t variable, std::int64_t value) const {
-  const Distribution& domain = graph_.variables()[variable].domain;
-  return static_cast<std::uint64_t>(domain.step == 1 ? value : (value - domain.lo) / domain.step);
-}
-
-/// The least width at which both can be compared, with a sign bit if either can be negative.
-std::size_t BitBlaster::common_width(NodeId a, NodeId b) const {
-  if (!either_signed(a, b)) return std::max(width(a), width(b));
-  return std::max(width(a) + (is_signed(a) ? 0 : 1), width(b) + (is_signed(b) ? 0 : 1));
+OrderEncodedInt BitBlaster::choice_order(NodeId choice) {
+  const std::size_t variable = graph_.node(choice).payload;
+  choices_.add(variable);
+  return *choices_.order(variable);
 }
 
 Literal BitBlaster::equality(NodeId a, NodeId b) {
-  if (comparable_in_order(a, b)) return equal(circuit_, shared_order(a), shared_order(b));
-  const std::size_t bits = common_width(a, b);
-  return equal(circuit_, sized(a, bits), sized(b, bits));
+  if (comparable_in_order(a, b)) return equal(circuit_, order(a), order(b));
+  return equal(circuit_, number(a), number(b));
 }
 
 Literal BitBlaster::comparison(NodeId a, NodeId b, bool or_equal) {
-  if (comparable_in_order(a, b)) return less(circuit_, shared_order(a), shared_order(b), or_equal);
-  return bit_comparison(a, b, or_equal);
-}
-
-Literal BitBlaster::bit_comparison(NodeId a, NodeId b, bool or_equal) {
-  const std::size_t bits = common_width(a, b);
-  Bits x = sized(a, bits);
-  Bits y = sized(b, bits);
-  if (either_signed(a, b)) {  // a sign bit counts the other way round
-    x.back() = !x.back();
-    y.back() = !y.back();
-  }
-  return less(circuit_, x, y, or_equal);
-}
-
-Bits BitBlaster::extreme(NodeId a, NodeId b, bool smaller, std::size_t width) {
-  const Literal first = bit_comparison(a, b, true) ^ !smaller;
-  return select(circuit_, first, sized(a, width), sized(b, width));
-}
-
-Bits BitBlaster::product(NodeId a, NodeId b, std::size_t width) {
-  if (interval(a).single()) std::swap(a, b);
-  if (interval(b).single()) return multiply(circuit_, sized(a, width), interval(b).lo);
-  if (this->width(a) < this->width(b)) std::swap(a, b);
-  return multiply(circuit_, sized(a, width), bits(b), is_signed(b));
-}
-
-/// Of two numbers that are not negative: floor(a / b) is ~floor(~a / b) for a negative a, as ~a is -a - 1;
-/// and a negative divisor is made positive together with its dividend.
-struct BitBlaster::FloorDivision {
-  Literal dividend_sign, divisor_sign;
-  Bits divisor;  // its absolute value
-  Division division;
-};
-
-BitBlaster::FloorDivision BitBlaster::floor_divide(NodeId a, NodeId b) {
-  FloorDivision made;
-  made.divisor_sign = is_signed(b) ? bits(b).back() : kFalseLiteral;
-  made.divisor = negate_if(circuit_, made.divisor_sign, bits(b));
-  const std::size_t room = width(a) + (is_signed(a) ? 0 : 1) + (is_signed(b) ? 1 : 0);
-  Bits dividend = sized(a, room);
-  if (is_signed(b)) dividend = negate_if(circuit_, made.divisor_sign, dividend);
-  made.dividend_sign = dividend.back();
-  dividend.pop_back();
-  made.division = divide(circuit_, exclusive_or(circuit_, dividend, made.dividend_sign), made.divisor);
-  return made;
-}
-
-Bits BitBlaster::quotient(NodeId a, NodeId b, std::size_t width) {
-  const std::int64_t divisor = interval(b).single() ? interval(b).lo : 0;
-  if (divisor > 0 && std::has_single_bit(static_cast<std::uint64_t>(divisor))) {
-    const int shift = std::countr_zero(static_cast<std::uint64_t>(divisor));
-    Bits bits = sized(a, static_cast<std::size_t>(shift) + std::max(width, this->width(a)));
-    bits.erase(bits.begin(), bits.begin() + shift);
-    return resized(std::move(bits), width, is_signed(a));
-  }
-  const FloorDivision made = floor_divide(a, b);
-  Bits bits = exclusive_or(circuit_, made.division.quotient, made.dividend_sign);
-  bits.push_back(made.dividend_sign);
-  return resized(std::move(bits), width, true);
-}
-
-/// Of a negative dividend it is divisor - 1 - remainder; and it has the divisor's sign.
-Bits BitBlaster::modulus(NodeId a, NodeId b, std::size_t width) {
-  const std::int64_t divisor = interval(b).single() ? interval(b).lo : 0;
-  if (divisor > 0 && std::has_single_bit(static_cast<std::uint64_t>(divisor))) {
-    const auto kept = static_cast<std::size_t>(std::countr_zero(static_cast<std::uint64_t>(divisor)));
-    return resized(resized(sized(a, std::max(kept, this->width(a))), kept, false), width, false);
-  }
-  const FloorDivision made = floor_divide(a, b);
-  Bits base = made.divisor;
-  for (Literal& bit : base) bit = circuit_.conjunction(bit, made.dividend_sign);
-  Bits bits = add(circuit_, base, exclusive_or(circuit_, made.division.remainder, made.dividend_sign));
-  return negate_if(circuit_, made.divisor_sign, resized(std::move(bits), width, false));
+  if (comparable_in_order(a, b)) return less(circuit_, order(a), order(b), or_equal);
+  return less(circuit_, number(a), number(b), or_equal);
 }
 
 }  // namespace solitaire

@@ -7,7 +7,7 @@
 
 namespace solitaire {
 
-Circuit::Circuit() : gates_(1), table_(1024) {}
+Circuit::Circuit() : gates_(1) {}
 
 Literal Circuit::input() {
   gates_.emplace_back();
@@ -85,28 +85,14 @@ std::uint64_t Circuit::hash(const Gate& gate) {
 }
 
 Literal Circuit::intern(Kind kind, std::array<Literal, 3> operands) {
-  if (2 * gates_.size() >= table_.size()) grow_table();
   const Gate made{kind, operands, 0};
-  const std::size_t mask = table_.size() - 1;
-  std::size_t slot = hash(made) & mask;
-  for (; table_[slot] != 0; slot = (slot + 1) & mask) {
-    if (gates_[table_[slot]] == made) return {table_[slot], false};
-  }
-  for (const Literal operand : operands) gates_[operand.gate()].uses += kind == Kind::kAnd ? 1 : 2;
-  table_[slot] = static_cast<std::uint32_t>(gates_.size());
-  gates_.push_back(made);
-  return {table_[slot], false};
-}
-
-void Circuit::grow_table() {
-  table_.assign(2 * table_.size(), 0);
-  const std::size_t mask = table_.size() - 1;
-  for (std::size_t i = 1; i < gates_.size(); ++i) {
-    if (gates_[i].kind == Kind::kInput || gates_[i].kind == Kind::kDefined) continue;
-    std::size_t slot = hash(gates_[i]) & mask;
-    while (table_[slot] != 0) slot = (slot + 1) & mask;
-    table_[slot] = static_cast<std::uint32_t>(i);
-  }
+  const auto equals = [&](std::uint32_t number) { return gates_[number] == made; };
+  const auto add = [&] {
+    for (const Literal operand : operands) gates_[operand.gate()].uses += kind == Kind::kAnd ? 1 : 2;
+    gates_.push_back(made);
+    return static_cast<std::uint32_t>(gates_.size() - 1);
+  };
+  return {table_.find_or_add(hash(made), equals, add), false};
 }
 
 }  // namespace solitaire

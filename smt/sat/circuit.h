@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/unique_table.h"
+
 namespace solitaire {
 
 /// A gate of a Circuit or its negation.
@@ -92,12 +94,11 @@ class Circuit {
 
  private:
   Literal intern(Kind kind, std::array<Literal, 3> operands);
-  void grow_table();
   static std::uint64_t hash(const Gate& gate);
 
   std::vector<Gate> gates_;
   std::vector<std::unique_ptr<Definition>> definitions_;
-  std::vector<std::uint32_t> table_;  // open addressing; 0 is free, as the constant is never looked up
+  UniqueTable table_;  // of the gates that have operands
 };
 
 }  // namespace solitaire

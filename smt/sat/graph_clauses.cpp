@@ -21,7 +21,7 @@ std::vector<std::optional<std::int64_t>> GraphClauses::values(const std::functio
     return number != 0 ? holds(number) : input == kTrueLiteral;
   };
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!blaster_.choice_inputs(i).empty()) values[i] = blaster_.decode(i, input_holds);
+    if (!choices().inputs(i).empty()) values[i] = choices().decode(i, input_holds);
   }
   return values;
 }

@@ -30,7 +30,7 @@ class GraphClauses {
 
   int variables() const { return cnf_.variables(); }
   Cnf& cnf() { return cnf_; }
-  BitBlaster& blaster() { return blaster_; }
+  const ChoiceEncoding& choices() const { return blaster_.choices(); }
 
  private:
   const Graph& graph_;

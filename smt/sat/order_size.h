@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+
+#include "tracegraph/interval.h"
+
+namespace solitaire {
+
+/// How many values an int has in order encoding, at most.
+struct OrderSize {
+  std::uint64_t most = 0;    // 0: it is not written so
+  std::uint64_t stride = 1;  // all differences of its values are multiples of this; 0: it has one value alone
+
+  bool is_ordered() const { return most > 0; }
+};
+
+/// An operand or a result of which the order's size is asked.
+struct Sized {
+  OrderSize size;
+  Interval interval;
+};
+
+/// Each returns the size of an int with that interval from those of the operands; not ordered if an operand
+/// is not, or if there are too many values.
+OrderSize size_within(Interval interval, std::uint64_t most, std::uint64_t stride);
+/// The size of a sum or a difference.
+OrderSize sum_size(Interval interval, OrderSize a, OrderSize b);
+/// The size of a product, of which one operand has to be constant.
+OrderSize product_size(Interval interval, const Sized& a, const Sized& b);
+/// The size of a quotient, whose divisor has to be a positive constant.
+OrderSize quotient_size(Interval interval, const Sized& a, const Sized& b);
+/// The size of what is always one of the operands.
+OrderSize either_size(Interval interval, const Sized& a, const Sized& b);
+
+}  // namespace solitaire
