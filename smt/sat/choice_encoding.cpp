@@ -19,7 +19,8 @@ Bits with_known_bits(Bits bits, Interval interval) {
 /// Returns the interval of what the bits of a variable count.
 Interval ChoiceEncoding::numbers(std::size_t variable) const {
   const Distribution& values = domain(variable);
-  return values.step == 1 ? Interval{values.lo, values.hi} : Interval{0, (values.hi - values.lo) / values.step};
+  return values.step == 1 ? Interval{values.lo, values.hi}
+                          : Interval{0, (values.hi - values.lo) / values.step};
 }
 
 void ChoiceEncoding::add(std::size_t variable) {
