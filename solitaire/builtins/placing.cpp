@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstdlib>
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
@@ -61,6 +62,7 @@ class PlaceReader {
 
   [[noreturn]] void fail(const char* parameter, const std::string& why) {
     checks_.fail(span_of(parameter), message(parameter, why));
+    std::abort();  // is never reached; compilers do not see that of a virtual function
     std::abort();  // g++ does not see that a virtual function never returns
   }
 
