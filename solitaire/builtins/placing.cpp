@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <cstdlib>
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
