@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "base/diagnostic.h"
+#include "base/nearest_name.h"
 
 namespace solitaire::tiles {
 namespace {
