@@ -61,7 +61,6 @@ class PlaceReader {
 
   [[noreturn]] void fail(const char* parameter, const std::string& why) {
     checks_.fail(span_of(parameter), message(parameter, why));
-    std::abort();  // is never reached; compilers do not see that of a virtual function
     std::abort();  // g++ does not see that a virtual function never returns
   }
 
