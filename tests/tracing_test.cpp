@@ -6,7 +6,7 @@
 #include "engines/random_choices.h"
 #include "solitaire/run/evaluator.h"
 #include "solitaire/run/trace_reading.h"
-#include "tests/program_generator.h"
+#include "tests/generator/program_generator.h"
 #include "tests/program_run.h"
 #include "tracegraph/assignment.h"
 
@@ -141,7 +141,7 @@ TEST_CASE("tracing: it says what generated programs do") {
   Check check;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     ByteSource bytes(seed);
-    const std::string text = generate_program(bytes);
+    const std::string text = generate_script(bytes);
     CAPTURE(text);
     check_traces(program_of(text), check, seed, 5);
   }
