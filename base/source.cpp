@@ -11,13 +11,21 @@ Source::Source(std::string name, std::string text)
   for (std::size_t i = 0; i < text_.size(); ++i) {
     if (text_[i] == '\n') line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
   }
+  characters_.push_back(0);
+  for (std::size_t start = 0; start + kBlock <= text_.size(); start += kBlock)
+    characters_.push_back(characters_.back() + count_characters(this->text().substr(start, kBlock)));
+}
+
+std::size_t Source::characters_before(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const std::size_t block = offset / kBlock;
+  return characters_[block] + count_characters(text().substr(block * kBlock, offset % kBlock));
 }
 
 Position Source::position(std::uint32_t offset) const {
   const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
-  const std::uint32_t start = *(after - 1);
-  const std::string_view before = text().substr(start, offset - start);
-  return {static_cast<std::size_t>(after - line_starts_.begin()), 1 + count_characters(before)};
+  const std::size_t line = static_cast<std::size_t>(after - line_starts_.begin());
+  return {line, 1 + characters_before(offset) - characters_before(*(after - 1))};
 }
 
 std::string_view Source::line(std::size_t number) const {

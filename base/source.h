@@ -29,9 +29,15 @@ class Source {
   std::string_view line(std::size_t number) const;
 
  private:
+  /// Counting the characters of a line starts at a block, so that long lines take no longer than others.
+  static constexpr std::size_t kBlock = 256;
+
+  std::size_t characters_before(std::size_t offset) const;
+
   std::string name_;
   std::string text_;
   std::vector<std::uint32_t> line_starts_;
+  std::vector<std::size_t> characters_;  // how many there are before each block of kBlock bytes
 };
 
 /// All sources of a program; spans refer to them by number.

@@ -282,6 +282,18 @@ TEST_CASE("analyze: takes deep nesting on a usual stack") {
   CHECK(found.find("this expression is too long") != std::string::npos);
 }
 
+TEST_CASE("analyze: takes long texts of one kind in a time that grows with them") {
+  for (const char* part :
+       {"for x in y [", "[x for x in ", "fun f(x) { fun g( ", "if a { x = 1; } ", "x = ;", "a.b("}) {
+    CAPTURE(part);
+    std::string text;
+    while (text.size() < 100'000) text += part;
+    std::string fault;
+    std::thread([&] { fault = analysis_fault(text); }).join();
+    CHECK(fault == "");
+  }
+}
+
 TEST_CASE("analyze: the scripts of the project have no warnings") {
   const DiskFiles files;
   for (const std::filesystem::path& path : project_scripts()) {

@@ -290,6 +290,7 @@ ExprPtr ExpressionParser::comprehension(Span open, ExprPtr element) {
 }
 
 ComprehensionClause ExpressionParser::clause() {
+  const Nesting nesting(*this);
   ComprehensionClause made;
   made.span = take().span;
   made.variables = loop_variables();

@@ -94,6 +94,7 @@ void TokenReader::panic() {
   end_.kind = TokenKind::kEnd;
   end_.span = {last.source, point, point};
   panicking_ = true;
+  distrusted_ = at_;
 }
 
 // ---- recovery
@@ -144,8 +145,9 @@ void TokenReader::recover_at_block() {
 
 void TokenReader::distrust_names(Span start) {
   if (!panicking_) return;
-  for (std::size_t i = at_; i-- > 0 && list_.tokens[i].span.begin >= start.begin;) {
-    if (list_.tokens[i].kind == TokenKind::kName) skipped_names_.push_back(list_.tokens[i].text);
+  for (; distrusted_ > 0 && list_.tokens[distrusted_ - 1].span.begin >= start.begin; --distrusted_) {
+    const Token& token = list_.tokens[distrusted_ - 1];
+    if (token.kind == TokenKind::kName) skipped_names_.push_back(token.text);
   }
 }
 

@@ -101,6 +101,7 @@ class TokenReader {
   std::size_t statement_start_ = 0;
   int nesting_ = 0;
   bool panicking_ = false;
+  std::size_t distrusted_ = 0;  // in a panic, the names from this token on are distrusted already
   std::vector<std::string> skipped_names_;
 };
 
