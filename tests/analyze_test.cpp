@@ -59,6 +59,8 @@ TEST_CASE("analyze: what an error has hidden is not reported as unknown") {
       "while 1 2 { y = 1; } y;",
       "x = [1 for y of z]; x;",
       "x = [y for in [1]]; x;",
+      "x = min(\ny = 3;\ny + x;",
+      "x = 1 +\ny = 3;\ny + x;",
       "import 3; anything(1);",
       "import \"none.sol\"; anything(1);",
       "if true then x = ; else x = 2;",

@@ -59,9 +59,11 @@ const Token& TokenReader::expect(TokenKind kind, const std::string& where, const
   return take();
 }
 
-bool TokenReader::on_new_line() const {
-  const Source& source = sources_[peek().span.source];
-  return source.position(previous().span.end).line < source.position(peek().span.begin).line;
+bool TokenReader::starts_line(std::size_t token) const {
+  if (token == 0) return true;
+  const Span before = list_.tokens[token - 1].span;
+  const Source& source = sources_[before.source];
+  return source.position(before.end).line < source.position(list_.tokens[token].span.begin).line;
 }
 
 // ---- errors
@@ -95,6 +97,15 @@ void TokenReader::panic() {
   end_.span = {last.source, point, point};
   panicking_ = true;
   distrusted_ = at_;
+  distrust_assigned();
+}
+
+/// Where a line is not finished, the next one is read as its end: of `x = f(` and, below it, `y = 1;`, the
+/// `y` is an argument. So a name before the '=' that cannot be read is treated like a skipped one.
+void TokenReader::distrust_assigned() {
+  const bool is_assigned = at_ > 0 && list_.tokens[at_].kind == TokenKind::kAssign;
+  if (is_assigned && previous().kind == TokenKind::kName && starts_line(at_ - 1))
+    skipped_names_.push_back(previous().text);
 }
 
 // ---- recovery

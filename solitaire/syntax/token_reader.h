@@ -51,7 +51,7 @@ class TokenReader {
   /// Returns the token that was taken last.
   const Token& previous() const { return list_.tokens[at_ == 0 ? 0 : at_ - 1]; }
   /// Returns true if the next token stands on a later line than the previous one.
-  bool on_new_line() const;
+  bool on_new_line() const { return starts_line(at_); }
 
   /// Ends a node behind the token that was taken last.
   template <class Node>
@@ -89,7 +89,9 @@ class TokenReader {
   std::vector<std::string> take_skipped_names();
 
  private:
+  bool starts_line(std::size_t token) const;
   void panic();
+  void distrust_assigned();
   void skip_to_next_statement();
   void skip();
 
