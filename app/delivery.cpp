@@ -1,6 +1,7 @@
 #include "app/delivery.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "app/console.h"
 #include "app/progress.h"
@@ -142,9 +143,10 @@ class Delivery : public SearchObserver {
 
 }  // namespace
 
-ExitStatus deliver_all(Search& search, const Session& session, const Options& options, Watchdog& watchdog,
-                       const Found& found, const Close& close) {
-  return Delivery(search, session, options, watchdog, found, close).run();
+void deliver_all(Search& search, const Session& session, const Options& options, Watchdog& watchdog,
+                 const Found& found, const Close& close) {
+  const ExitStatus status = Delivery(search, session, options, watchdog, found, close).run();
+  ::_exit(status);
 }
 
 }  // namespace solitaire::app

@@ -22,7 +22,7 @@ ExitStatus generate_command(const Options& options, Watchdog& watchdog) {
     const auto page = output.close(search.summary(), ending, search.stop_token().reason());
     if (page && !options.quiet) tell(fmt::format("see {}\n", page->string()));
   };
-  return deliver_all(search, session, options, watchdog, found, close);
+  deliver_all(search, session, options, watchdog, found, close);
 }
 
 }  // namespace solitaire::app

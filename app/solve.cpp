@@ -10,7 +10,7 @@ ExitStatus solve_command(const Options& options, Watchdog& watchdog) {
   const bool needs_looks = !options.quiet || session.search.distinct == Distinct::kResult;
   session.search.scene = needs_looks ? SceneDetail::kPlacements : SceneDetail::kNone;
   Search search(session.program, session.search);
-  return deliver_all(search, session, options, watchdog, [&](const Solution& solution) {
+  deliver_all(search, session, options, watchdog, [&](const Solution& solution) {
     print_result(options.json ? to_json(solution) + "\n" : to_text(solution));
   });
 }
