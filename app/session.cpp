@@ -14,7 +14,7 @@ std::filesystem::path data_folder() {
 }
 
 Program load(const Options& options) {
-  Program program = Program::load(options.script, {data_folder()});
+  Program program = Program::load(options.script, {.data = data_folder()});
   for (const std::string& setting : options.settings) {
     const std::size_t sign = setting.find('=');
     program.set(setting.substr(0, sign), setting.substr(sign + 1));

@@ -6,14 +6,43 @@
 namespace solitaire::api {
 namespace {
 
+Severity public_severity(solitaire::Severity severity) {
+  switch (severity) {
+    case solitaire::Severity::kError:
+      return Severity::kError;
+    case solitaire::Severity::kWarning:
+      return Severity::kWarning;
+    case solitaire::Severity::kNote:
+      break;
+  }
+  return Severity::kNote;
+}
+
+RelatedPlace public_place(const solitaire::RelatedPlace& related, const SourceSet& sources) {
+  const Source& source = sources[related.span.source];
+  const Position at = source.position(related.span.begin);
+  return {source.name(), at.line, at.column, related.message};
+}
+
 Diagnostic public_diagnostic(const solitaire::Diagnostic& diagnostic, const SourceSet& sources) {
   const Source& source = sources[diagnostic.span.source];
   const Position begin = source.position(diagnostic.span.begin);
   const Position end = source.position(diagnostic.span.end);
-  return {source.name(),   begin.line,       begin.column,
-          end.line,        end.column,       diagnostic.message,
-          diagnostic.help, diagnostic.notes, format(diagnostic, sources),
-          diagnostic.code};
+  Diagnostic made{source.name(),
+                  begin.line,
+                  begin.column,
+                  end.line,
+                  end.column,
+                  diagnostic.message,
+                  diagnostic.help,
+                  diagnostic.notes,
+                  format(diagnostic, sources),
+                  diagnostic.code,
+                  public_severity(diagnostic.severity),
+                  {}};
+  for (const solitaire::RelatedPlace& related : diagnostic.related)
+    made.related.push_back(public_place(related, sources));
+  return made;
 }
 
 std::string text_of(const std::vector<Diagnostic>& diagnostics) {

@@ -1,23 +1,36 @@
 #include <solitaire/program.h>
 
 #include "base/installation.h"
+#include "library/program_files.h"
 #include "library/program_state.h"
 #include "library/translate.h"
 
 namespace solitaire::api {
 namespace {
 
-template <class Load>
-std::shared_ptr<const Program::State> load_with(const std::filesystem::path& script, const Files& files,
-                                                const Load& load) {
+/// Returns a state without its program.
+std::shared_ptr<Program::State> state_of(const std::filesystem::path& script, const Files& files) {
   auto state = std::make_shared<Program::State>();
   state->script = script;
   state->data = files.data.empty() ? installed_data() : files.data;
-  const LoadOptions options{{state->data, state->data / "solitaire"}};
-  state->load_again = [load, options] {
+  return state;
+}
+
+LoadOptions load_options(const Program::State& state) { return {{state.data, state.data / "solitaire"}}; }
+
+std::function<solitaire::Program()> again(const ProgramFiles& texts, const std::filesystem::path& script,
+                                          const LoadOptions& options) {
+  return [texts, script, options] {
     SourceSet sources_on_error;
-    return translated(sources_on_error, [&] { return load(options, sources_on_error); });
+    return translated(sources_on_error,
+                      [&] { return load_program(texts, script, options, sources_on_error); });
   };
+}
+
+std::shared_ptr<const Program::State> loaded(const std::filesystem::path& script, const Files& files,
+                                             const ProgramFiles& texts) {
+  const auto state = state_of(script, files);
+  state->load_again = again(texts, script, load_options(*state));
   state->program = state->load_again();
   return state;
 }
@@ -29,15 +42,26 @@ std::filesystem::path installed_data() {
 }
 
 Program Program::load(const std::filesystem::path& script, const Files& files) {
-  return Program(load_with(script, files, [script](const LoadOptions& options, SourceSet& sources) {
-    return load_program(script, options, sources);
-  }));
+  return Program(loaded(script, files, ProgramFiles(files.buffer)));
 }
 
 Program Program::from_text(const std::string& name, const std::string& text, const Files& files) {
-  return Program(load_with(name, files, [name, text](const LoadOptions& options, SourceSet& sources) {
-    return load_program_text(name, text, options, sources);
-  }));
+  ProgramFiles texts(files.buffer);
+  texts.set(name, text);
+  return Program(loaded(name, files, texts));
+}
+
+Analysis analyze(const std::filesystem::path& script, const Files& files) {
+  const ProgramFiles texts(files.buffer);
+  const auto state = state_of(script, files);
+  const LoadOptions options = load_options(*state);
+  solitaire::Analysis analysis = solitaire::analyze(texts, script, options);
+  Analysis made{{}, public_diagnostics(analysis.diagnostics, analysis.program.sources)};
+  if (analysis.has_errors()) return made;
+  state->program = std::move(analysis.program);
+  state->load_again = again(texts, script, options);
+  made.program = Program(state);
+  return made;
 }
 
 Program::Program(std::shared_ptr<const State> state) : state_(std::move(state)) {}

@@ -19,7 +19,7 @@ struct Program::State {
   std::filesystem::path script;  // as it was named
   std::filesystem::path data;    // see Files
   solitaire::Program program;
-  std::function<solitaire::Program()> load_again;
+  std::function<solitaire::Program()> load_again;  // for searches at work beside each other
 };
 
 /// Returns the values of params that were set, which belong to the caller's thread. Throws Error (kUsage).

@@ -94,6 +94,42 @@ TEST_CASE("library: solutions are structured values, and JSON") {
   CHECK(to_text(solution) == "solution 1: [P(a: 3, b: nil), 0.5, \"t\", true]\n  f = true\n");
 }
 
+TEST_CASE("library: imports come from buffers where there are any, and else from the disk") {
+  const Workplace place;
+  place.file("part.sol", "part = \"disk\";\n");
+  const std::string script =
+      place.file("main.sol", "import \"part.sol\";\nimport \"more.sol\";\nreturn [part, more];\n");
+  Files files;
+  files.buffer = [&](const std::filesystem::path& path) -> std::optional<std::string> {
+    if (path == std::filesystem::canonical(place.path()) / "more.sol") return "more = \"buffer\";\n";
+    return std::nullopt;
+  };
+  CHECK(values_of(Program::load(script, files)) == std::vector<std::string>{"[\"disk\", \"buffer\"]"});
+  CHECK(error_of([&] { Program::load(script); }).kind() == Error::Kind::kProgram);
+}
+
+TEST_CASE("library: a program is analyzed as far as it can be understood, without an exception") {
+  const Workplace place;
+  const std::string script = place.file("main.sol", "x = ;\ny = widht;\n");
+  std::string text = "x = ;\ny = widht;\n";
+  Files files;
+  files.buffer = [&](const std::filesystem::path& path) -> std::optional<std::string> {
+    if (path.filename() == "main.sol") return text;
+    return std::nullopt;
+  };
+  const Analysis wrong = analyze(script, files);
+  CHECK(!wrong.program);
+  REQUIRE(wrong.diagnostics.size() == 2);
+  CHECK(wrong.diagnostics[0].line == 1);
+  CHECK(wrong.diagnostics[1].severity == Severity::kError);
+  CHECK(has(wrong.diagnostics[1].message, "widht"));
+  text = "return 5;\n";
+  CHECK(values_of(analyze(script, files).program.value()) == std::vector<std::string>{"5"});
+  const Analysis missing = analyze(place / "none.sol");
+  CHECK(missing.diagnostics.size() == 1);
+  CHECK(!missing.program);
+}
+
 TEST_CASE("library: two searches in one process, on two threads with different programs") {
   std::vector<std::string> pairs, squares;
   std::thread first([&] {

@@ -23,19 +23,6 @@ std::vector<Diagnostic> first_errors(const std::vector<Diagnostic>& diagnostics)
   return errors;
 }
 
-Program load(const FileProvider& files, const std::filesystem::path& script, const LoadOptions& options,
-             SourceSet& sources_on_error) {
-  Analysis analysis = analyze(files, script, options);
-  std::vector<Diagnostic> errors = first_errors(analysis.diagnostics);
-  if (!errors.empty()) {
-    if (errors.front().code == "unreadable-script") throw FileError(script.string(), errors.front().message);
-    sources_on_error = std::move(analysis.program.sources);
-    throw ProgramError(std::move(errors));
-  }
-  analysis.program.warnings = std::move(analysis.diagnostics);
-  return std::move(analysis.program);
-}
-
 }  // namespace
 
 bool Analysis::has_errors() const { return std::any_of(diagnostics.begin(), diagnostics.end(), is_error); }
@@ -52,9 +39,22 @@ Analysis analyze(const FileProvider& files, const std::filesystem::path& script,
   return analysis;
 }
 
+Program load_program(const FileProvider& files, const std::filesystem::path& script,
+                     const LoadOptions& options, SourceSet& sources_on_error) {
+  Analysis analysis = analyze(files, script, options);
+  std::vector<Diagnostic> errors = first_errors(analysis.diagnostics);
+  if (!errors.empty()) {
+    if (errors.front().code == "unreadable-script") throw FileError(script.string(), errors.front().message);
+    sources_on_error = std::move(analysis.program.sources);
+    throw ProgramError(std::move(errors));
+  }
+  analysis.program.warnings = std::move(analysis.diagnostics);
+  return std::move(analysis.program);
+}
+
 Program load_program(const std::filesystem::path& script, const LoadOptions& options,
                      SourceSet& sources_on_error) {
-  return load(DiskFiles(), script, options, sources_on_error);
+  return load_program(DiskFiles(), script, options, sources_on_error);
 }
 
 Program load_program_text(const std::string& name, std::string text, const LoadOptions& options,
@@ -62,7 +62,7 @@ Program load_program_text(const std::string& name, std::string text, const LoadO
   const DiskFiles disk;
   BufferedFiles files(&disk);
   files.set(name, std::move(text));
-  return load(files, name, options, sources_on_error);
+  return load_program(files, name, options, sources_on_error);
 }
 
 }  // namespace solitaire

@@ -25,9 +25,12 @@ struct Analysis {
 /// keystroke. A script that cannot be read is an empty program with an error "unreadable-script".
 Analysis analyze(const FileProvider& files, const std::filesystem::path& script, const LoadOptions& options);
 
-/// Analyzes a script on the disk that is to be run. Throws ProgramError with the first errors if there are
-/// any, after it moved the sources that they speak of to `sources_on_error`, and FileError if the script
-/// cannot be read.
+/// Analyzes a script that is to be run. Throws ProgramError with the first errors if there are any, after it
+/// moved the sources that they speak of to `sources_on_error`, and FileError if the script cannot be read.
+Program load_program(const FileProvider& files, const std::filesystem::path& script,
+                     const LoadOptions& options, SourceSet& sources_on_error);
+
+/// Does the same for a script on the disk.
 Program load_program(const std::filesystem::path& script, const LoadOptions& options,
                      SourceSet& sources_on_error);
 

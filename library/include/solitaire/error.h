@@ -8,6 +8,17 @@
 
 namespace solitaire::api {
 
+/// Says how much a diagnostic matters. A program with an error cannot be run; a warning points at what is
+/// allowed and hardly meant.
+enum class Severity : std::uint8_t { kError, kWarning, kNote };
+
+/// A further place that a diagnostic speaks of, such as where the other definition stands.
+struct RelatedPlace {
+  std::string file;
+  std::size_t line = 1, column = 1;
+  std::string message;
+};
+
 /// Something to tell the author about a place in a program.
 struct Diagnostic {
   std::string file;                          // as messages call it
@@ -18,6 +29,8 @@ struct Diagnostic {
   std::vector<std::string> notes;            // such as the calls that led here
   std::string text;  // all of this on several lines, with the line of the program and a caret
   std::string code;  // the kind of error, such as "unknown-name"; "" for what is found by running
+  Severity severity = Severity::kError;
+  std::vector<RelatedPlace> related;
 };
 
 /// Every error of this library, except std::bad_alloc where there is no more memory.

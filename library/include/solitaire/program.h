@@ -1,6 +1,9 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <solitaire/error.h>
 #include <solitaire/export.h>
 #include <string>
 #include <utility>
@@ -14,10 +17,16 @@ SOLITAIRE_API std::filesystem::path installed_data();
 
 /// Says where a program reads from.
 struct Files {
+  /// Returns the text of the file with an absolute path, or nothing to have the file read from the disk. An
+  /// editor gives out its buffers here. It is called while a program is loaded, and once for each job of a
+  /// search.
+  std::function<std::optional<std::string>(const std::filesystem::path&)> buffer = {};
   /// Holds std/, where imports are looked for that are not beside the importing file, and assets/ with the
   /// bundled models. Empty stands for installed_data().
-  std::filesystem::path data;
+  std::filesystem::path data = {};
 };
+
+struct Analysis;
 
 /// A script with what it imports, and values for its params. Copies share the script, and may be used by
 /// several threads at a time; each has params of its own.
@@ -50,10 +59,21 @@ class SOLITAIRE_API Program {
   const State& state() const { return *state_; }
 
  private:
+  friend SOLITAIRE_API Analysis analyze(const std::filesystem::path& script, const Files& files);
   explicit Program(std::shared_ptr<const State> state);
 
   std::shared_ptr<const State> state_;
   std::vector<std::pair<std::string, std::string>> settings_;
 };
+
+/// The result of reading a program without running it.
+struct Analysis {
+  std::optional<Program> program;       // nothing if there is an error
+  std::vector<Diagnostic> diagnostics;  // errors and warnings, in the order of the texts
+};
+
+/// Reads a script and what it imports. It never throws for what stands in a text, nor for a script that
+/// cannot be read, which is then the diagnostic: a language server calls this whenever a text changes.
+SOLITAIRE_API Analysis analyze(const std::filesystem::path& script, const Files& files = {});
 
 }  // namespace solitaire::api
