@@ -72,7 +72,7 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
     const auto lock = watchdog.delivering();
     for (const std::string& format : options.tiles->formats) {
       const std::string name = fmt::format("{}-{:04}.{}", stem(*options.tiles), number, format);
-      write_file_atomically(options.output / name, job.file(format, options.tiles->pixels));
+      write_file_atomically(options.output / name, job.file(format, options.tiles->pixels, options.output));
     }
     reached = number + 1;
   });

@@ -17,6 +17,7 @@
 #include "engines/tiles/request/build.h"
 #include "engines/tiles/request/request_file.h"
 #include "engines/tiles/sample/sampler.h"
+#include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/json.h"
 #include "engines/tiles/write/png.h"
 #include "engines/tiles/write/text.h"
@@ -155,11 +156,17 @@ JobEnding Job::run(const std::function<void(std::uint64_t)>& deliver) {
   return JobEnding::kDone;
 }
 
-std::string Job::file(const std::string& format, int pixels) const {
+std::string Job::file(const std::string& format, int pixels, const std::filesystem::path& folder) const {
   const Sample& sample = state_->sample;
   const Tileset& tileset = state_->style->tileset;
   if (format == "txt") return write_text(sample.map, tileset);
   if (format == "png") return write_png(sample.map, tileset, pixels);
+  if (format == "tmx") {
+    const std::filesystem::path& original = state_->request.exemplars.front().file;
+    if (original.extension() != ".tmx")
+      throw RequestError("--format tmx needs a .tmx map as the first exemplar");
+    return write_tmx(sample.map, tileset, original, folder);
+  }
   return write_json(sample.map, tileset,
                     {{"index", state_->number},
                      {"seed", state_->options.sampling.seed},

@@ -40,9 +40,9 @@ class Job {
   /// Learns weights and makes maps, several at a time, and calls `deliver(number)` for each in their order,
   /// numbered from 1. Throws std::logic_error if a map breaks a rule, which is then not delivered.
   JobEnding run(const std::function<void(std::uint64_t)>& deliver);
-  /// Returns the file of the map that is being delivered, as txt, png or json. `pixels` is the side of a tile
-  /// without an icon.
-  std::string file(const std::string& format, int pixels) const;
+  /// Returns the file of the map that is being delivered, as txt, png, json, or tmx if the exemplar is one.
+  /// `pixels` is the side of a tile without an icon; `folder` is where the file will be. Throws RequestError.
+  std::string file(const std::string& format, int pixels, const std::filesystem::path& folder) const;
   /// Returns what there is to say of all maps together.
   std::string summary() const;
 

@@ -11,8 +11,8 @@ using Tile = std::uint8_t;
 /// Stands in a grid where no tile is. Nothing is learned from a hole.
 inline constexpr Tile kHole = 255;
 inline constexpr std::size_t kMostTiles = 255;
-/// The most sites that a grid may have.
-inline constexpr std::size_t kMostSites = std::size_t{1} << 26;
+/// The most sites that a grid may have. What is known of a site takes about 100 bytes at the most.
+inline constexpr std::size_t kMostSites = std::size_t{1} << 22;
 
 /// The axes: x to the right, y down the page, z from one layer to the next.
 inline constexpr int kAxes = 3;

@@ -20,11 +20,12 @@ constexpr Sides side(std::size_t axis, int step) {
 
 /// A kind of tile.
 struct TileKind {
-  std::string name;  // unique in its tileset
-  std::string text;  // the character of text maps
-  Rgba color{};      // of maps that give a pixel to a tile
-  Picture icon;      // empty: a plain square of the colour
-  double bias = 1;   // multiplies the weight of each occurrence
+  std::string name;                  // unique in its tileset
+  std::string text;                  // the character of text maps
+  Rgba color{};                      // of maps that give a pixel to a tile
+  Picture icon;                      // empty: a plain square of the colour
+  std::optional<std::uint32_t> gid;  // in the Tiled map that it was read from, with its flags
+  double bias = 1;                   // multiplies the weight of each occurrence
 };
 
 /// The tiles of a style, at most kMostTiles.

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace solitaire::tiles {
+
+/// The bits of a gid that say how its tile is turned: along the diagonal first, then left to right, then top
+/// to bottom. The lowest of the four bits turns tiles of hexagonal maps only, and is never kept.
+inline constexpr std::uint32_t kFlipAcross = 0x80000000U;
+inline constexpr std::uint32_t kFlipDown = 0x40000000U;
+inline constexpr std::uint32_t kFlipDiagonal = 0x20000000U;
+inline constexpr std::uint32_t kFlags = 0xf0000000U;
+
+/// A tileset of a Tiled map.
+struct TiledTileset {
+  std::uint32_t first_gid = 1;
+  std::string name;
+  int tile_width = 0, tile_height = 0, columns = 0, spacing = 0, margin = 0;
+  std::filesystem::path image;                 // empty: its tiles are single pictures, which are not read
+  std::map<std::uint32_t, std::string> names;  // of tiles with a property "name", by number in the set
+};
+
+/// What is read of a map of the editor Tiled: its one visible layer of tiles.
+struct TiledMap {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> gids;  // in rows from the top; 0 where no tile is
+  std::vector<TiledTileset> tilesets;
+};
+
+/// Collects the layer of a map that may be in chunks.
+class TiledLayer {
+ public:
+  /// Adds a rectangle of gids. Throws FileError if they are not as many as the rectangle has, or if the map
+  /// gets too large.
+  void add(const std::string& file, std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height,
+           const std::vector<std::uint32_t>& gids);
+  /// Writes the smallest rectangle around all to the map. Throws FileError if there is nothing.
+  void write_to(const std::string& file, TiledMap& map) const;
+
+ private:
+  struct Chunk {
+    std::int64_t x, y, width, height;
+    std::vector<std::uint32_t> gids;
+  };
+  std::vector<Chunk> chunks_;
+};
+
+/// Decodes the data of a layer. `encoding` is csv or base64, `compression` empty, zlib or gzip; `count` gids
+/// are wanted, and no more memory than for these is taken. Throws FileError.
+std::vector<std::uint32_t> decode_gids(const std::string& file, const std::string& text,
+                                       const std::string& encoding, const std::string& compression,
+                                       std::size_t count);
+
+/// Returns a file that a map names, which must be in the map's folder or below. Throws FileError.
+std::filesystem::path file_beside(const std::filesystem::path& map, const std::string& named);
+
+/// Reads a map (.tmx, .tmj) with its tilesets. Throws FileError.
+TiledMap read_tmx(const std::filesystem::path& path);
+TiledMap read_tmj(const std::filesystem::path& path);
+
+}  // namespace solitaire::tiles

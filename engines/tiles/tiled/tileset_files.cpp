@@ -1,0 +1,114 @@
+#include "engines/tiles/tiled/tileset_files.h"
+
+#include <fmt/format.h>
+#include <stdexcept>
+
+#include "base/file_error.h"
+#include "engines/tiles/model/palette.h"
+#include "engines/tiles/read/file.h"
+#include "engines/tiles/read/png.h"
+
+namespace solitaire::tiles {
+namespace {
+
+/// The tiles of a map's tilesets, with their pictures.
+class TiledTiles {
+ public:
+  TiledTiles(const std::filesystem::path& path, const TiledMap& map) : file_(path.string()), map_(map) {
+    for (const TiledTileset& tileset : map.tilesets) {
+      const bool has_picture = !tileset.image.empty() && tileset.image.extension() == ".png";
+      pictures_.push_back(has_picture ? read_png(tileset.image.string(), read_bytes(tileset.image))
+                                      : Picture());
+    }
+  }
+
+  TileKind kind(std::uint32_t gid, std::size_t number) const {
+    const std::uint32_t plain = gid & ~kFlags;
+    std::size_t set = map_.tilesets.size();
+    for (std::size_t each = 0; each < map_.tilesets.size(); ++each) {
+      if (map_.tilesets[each].first_gid > plain) continue;
+      if (set == map_.tilesets.size() || map_.tilesets[each].first_gid > map_.tilesets[set].first_gid)
+        set = each;
+    }
+    if (set == map_.tilesets.size()) throw FileError(file_, fmt::format("no tileset has the gid {}", plain));
+    const TiledTileset& tileset = map_.tilesets[set];
+    const std::uint32_t id = plain - tileset.first_gid;
+    TileKind kind;
+    const auto named = tileset.names.find(id);
+    kind.name =
+        (named != tileset.names.end() ? named->second : fmt::format("{}#{}", tileset.name, id)) + flags(gid);
+    kind.gid = gid & ~0x10000000U;
+    kind.icon = icon(tileset, pictures_[set], id, gid);
+    kind.color = kind.icon.empty() ? palette_color(number) : mean_color(kind.icon);
+    return kind;
+  }
+
+ private:
+  static std::string flags(std::uint32_t gid) {
+    std::string letters;
+    if ((gid & kFlipDiagonal) != 0) letters += 'd';
+    if ((gid & kFlipAcross) != 0) letters += 'h';
+    if ((gid & kFlipDown) != 0) letters += 'v';
+    return letters.empty() ? "" : "!" + letters;
+  }
+
+  /// Returns the square of a tile, turned as its flags say; empty if it is not in the picture.
+  static Picture icon(const TiledTileset& tileset, const Picture& picture, std::uint32_t id,
+                      std::uint32_t gid) {
+    const int side = tileset.tile_width;
+    if (picture.empty() || side < 1 || side != tileset.tile_height || tileset.columns < 1) return {};
+    const auto columns = static_cast<std::uint32_t>(tileset.columns);
+    const std::int64_t step = std::int64_t{side} + tileset.spacing;
+    const std::int64_t left = tileset.margin + step * (id % columns),
+                       top = tileset.margin + step * (id / columns);
+    if (left < 0 || top < 0 || left + side > picture.width || top + side > picture.height) return {};
+    Picture result(side, side);
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        int from_x = (gid & kFlipAcross) != 0 ? side - 1 - x : x,
+            from_y = (gid & kFlipDown) != 0 ? side - 1 - y : y;
+        if ((gid & kFlipDiagonal) != 0) std::swap(from_x, from_y);
+        result.at(x, y) = picture.at(static_cast<int>(left) + from_x, static_cast<int>(top) + from_y);
+      }
+    }
+    return result;
+  }
+
+  std::string file_;
+  const TiledMap& map_;
+  std::vector<Picture> pictures_;  // by tileset
+};
+
+}  // namespace
+
+TiledTileset read_tileset(const std::filesystem::path& path) {
+  return path.extension() == ".tsj" || path.extension() == ".json" ? read_tsj(path) : read_tsx(path);
+}
+
+Grid read_tiled(const std::filesystem::path& path, Tileset& tileset, bool open) {
+  const TiledMap map = path.extension() == ".tmj" ? read_tmj(path) : read_tmx(path);
+  const TiledTiles tiles(path, map);
+  std::map<std::uint32_t, Tile> known;
+  Grid grid(Size{{map.width, map.height, 1}});
+  for (std::size_t site = 0; site < map.gids.size(); ++site) {
+    const std::uint32_t gid = map.gids[site] & ~0x10000000U;
+    if ((gid & ~kFlags) == 0) continue;
+    auto found = known.find(gid);
+    if (found == known.end()) {
+      TileKind kind = tiles.kind(gid, tileset.size());
+      auto tile = tileset.find(kind.name);
+      if (!tile && !open)
+        throw FileError(path.string(), fmt::format("has '{}', which is no tile of the tileset", kind.name));
+      try {
+        if (!tile) tile = tileset.add(std::move(kind));
+      } catch (const std::length_error& error) {
+        throw FileError(path.string(), error.what());
+      }
+      found = known.emplace(gid, *tile).first;
+    }
+    grid[site] = found->second;
+  }
+  return grid;
+}
+
+}  // namespace solitaire::tiles

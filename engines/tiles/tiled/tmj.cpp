@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include "engines/tiles/read/file.h"
+#include "engines/tiles/read/json_object.h"
+#include "engines/tiles/tiled/tiled_map.h"
+#include "engines/tiles/tiled/tileset_files.h"
+
+namespace solitaire::tiles {
+namespace {
+
+constexpr std::int64_t kMostExtent = 1 << 20;
+
+int small_number(JsonObject& object, const char* member) {
+  return object.has(member) ? static_cast<int>(object.number(member, -kMostExtent, kMostExtent)) : 0;
+}
+
+TiledTileset tileset_of(JsonObject& object, const std::filesystem::path& file) {
+  TiledTileset tileset;
+  tileset.name = object.text_or("name", "");
+  tileset.tile_width = small_number(object, "tilewidth");
+  tileset.tile_height = small_number(object, "tileheight");
+  tileset.columns = small_number(object, "columns");
+  tileset.spacing = small_number(object, "spacing");
+  tileset.margin = small_number(object, "margin");
+  if (object.has("image")) tileset.image = file_beside(file, object.text("image"));
+  for (JsonObject& tile : object.objects("tiles")) {
+    const auto id = static_cast<std::uint32_t>(tile.number("id", 0, UINT32_MAX));
+    for (JsonObject& property : tile.objects("properties")) {
+      if (property.text_or("name", "") == "name") tileset.names[id] = property.text("value");
+    }
+  }
+  return tileset;
+}
+
+void read_data(const std::string& file, JsonObject& layer, JsonObject& holder, TiledLayer& to) {
+  const std::int64_t width = holder.number("width", 1, kMostExtent),
+                     height = holder.number("height", 1, kMostExtent);
+  const std::int64_t x = small_number(holder, "x"), y = small_number(holder, "y");
+  const auto count = static_cast<std::size_t>(width * height);
+  const nlohmann::json& data = holder.at("data");
+  std::vector<std::uint32_t> gids;
+  if (data.is_string()) {
+    gids = decode_gids(file, data.get<std::string>(), layer.text_or("encoding", "csv"),
+                       layer.text_or("compression", ""), count);
+  } else if (data.is_array()) {
+    for (const nlohmann::json& gid : data) {
+      if (!gid.is_number_unsigned() || gid.get<std::uint64_t>() > UINT32_MAX)
+        holder.fail("data", "has what is no gid");
+      gids.push_back(gid.get<std::uint32_t>());
+    }
+  } else {
+    holder.fail("data", "is neither a list nor a text");
+  }
+  to.add(file, x, y, width, height, gids);
+}
+
+}  // namespace
+
+TiledTileset read_tsj(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const nlohmann::json json = parse_json(file, read_bytes(path));
+  JsonObject object(file, json, "");
+  return tileset_of(object, path);
+}
+
+TiledMap read_tmj(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const nlohmann::json json = parse_json(file, read_bytes(path));
+  JsonObject root(file, json, "");
+  const std::string orientation = root.text_or("orientation", "orthogonal");
+  if (orientation != "orthogonal")
+    root.fail("orientation", fmt::format("is '{}'; orthogonal maps are read", orientation));
+  TiledMap map;
+  for (JsonObject& each : root.objects("tilesets")) {
+    map.tilesets.push_back(each.has("source") ? read_tileset(file_beside(path, each.text("source")))
+                                              : tileset_of(each, path));
+    map.tilesets.back().first_gid = static_cast<std::uint32_t>(each.number("firstgid", 1, UINT32_MAX));
+  }
+  TiledLayer layer;
+  int layers = 0;
+  for (JsonObject& each : root.objects("layers")) {
+    if (each.text_or("type", "") != "tilelayer" || (each.has("visible") && !each.flag("visible"))) continue;
+    if (++layers > 1) throw FileError(file, "has several visible layers; hide all but one");
+    for (JsonObject& chunk : each.objects("chunks")) read_data(file, each, chunk, layer);
+    if (!each.has("chunks")) read_data(file, each, each, layer);
+  }
+  layer.write_to(file, map);
+  return map;
+}
+
+}  // namespace solitaire::tiles

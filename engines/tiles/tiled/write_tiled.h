@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "engines/tiles/model/tileset.h"
+
+namespace solitaire::tiles {
+
+/// Writes a map as Tiled's .tmx, after the pattern of the map `original` that was the exemplar: with its
+/// tilesets and properties, and the flags of turned tiles, but without its other layers. The names of
+/// tilesets and pictures are relative to the folder that the file will be in.
+std::string write_tmx(const Grid& map, const Tileset& tileset, const std::filesystem::path& original,
+                      const std::filesystem::path& folder);
+
+}  // namespace solitaire::tiles

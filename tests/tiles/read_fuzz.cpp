@@ -1,0 +1,37 @@
+// Hands bytes to the readers of maps. Whatever they are, a reader returns or throws FileError.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "base/file_error.h"
+#include "engines/tiles/read/json.h"
+#include "engines/tiles/read/png.h"
+#include "engines/tiles/read/text.h"
+#include "engines/tiles/tiled/tiled_map.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace solitaire::tiles;
+  if (size < 2) return 0;
+  const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  Tileset tileset;
+  try {
+    switch (data[0] % 5) {
+      case 0:
+        read_text("fuzz", bytes, tileset, true);
+        break;
+      case 1:
+        read_json("fuzz", bytes, tileset, true);
+        break;
+      case 2:
+        cut_tiles("fuzz", read_png("fuzz", bytes), 1, tileset, true);
+        break;
+      case 3:
+        decode_gids("fuzz", bytes, "csv", "", 100);
+        break;
+      default:
+        decode_gids("fuzz", bytes, "base64", "zlib", 100);
+    }
+  } catch (const solitaire::FileError&) {
+  }
+  return 0;
+}

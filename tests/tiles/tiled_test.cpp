@@ -1,0 +1,224 @@
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "base/file_error.h"
+#include "engines/tiles/tiled/tileset_files.h"
+#include "engines/tiles/tiled/write_tiled.h"
+#include "engines/tiles/write/png.h"
+
+namespace solitaire::tiles {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that lives as long as this.
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("solitaire-tiled-" + std::to_string(::getpid()))) {
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path write(const std::string& name, const std::string& bytes) const {
+    fs::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << bytes;
+    return path_ / name;
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+const char* const kTileset =
+    R"(<?xml version="1.0"?><tileset name="land" tilewidth="2" tileheight="2" tilecount="2" columns="2">
+ <image source="land.png" width="4" height="2"/>
+ <tile id="0"><properties><property name="name" value="grass"/></properties></tile></tileset>)";
+
+std::string map_with(const std::string& layers, const std::string& tileset = R"(source="land.tsx")") {
+  return R"(<?xml version="1.0"?><map orientation="orthogonal" width="3" height="2" tilewidth="2" tileheight="2"><tileset firstgid="5" )" +
+         tileset + "/>" + layers + "</map>";
+}
+
+std::string layer(const std::string& data) {
+  return R"(<layer id="1" name="ground" width="3" height="2">)" + data + "</layer>";
+}
+
+/// A folder with a tileset of two tiles, the second of which has a different colour in each corner.
+struct Land : Folder {
+  Land() {
+    write("land.tsx", kTileset);
+    Picture picture(4, 2, {10, 200, 10, 255});
+    picture.at(2, 0) = {1, 0, 0, 255};
+    picture.at(3, 0) = {2, 0, 0, 255};
+    picture.at(2, 1) = {3, 0, 0, 255};
+    picture.at(3, 1) = {4, 0, 0, 255};
+    write("land.png", write_png(picture));
+  }
+};
+
+std::string error_of(const fs::path& path) {
+  try {
+    Tileset tileset;
+    read_tiled(path, tileset, true);
+  } catch (const FileError& error) {
+    const std::string text = error.what();
+    return text.substr(text.rfind("/") + 1);
+  }
+  return "";
+}
+
+std::vector<std::string> names_in(const Grid& map, const Tileset& tileset) {
+  std::vector<std::string> names;
+  for (const Tile tile : map.tiles) names.push_back(tile == kHole ? "" : tileset[tile].name);
+  return names;
+}
+
+TEST_CASE("the encodings of a Tiled layer say the same") {
+  const Land land;
+  // 5, 6, 0, 6, 5, 5 as little-endian words.
+  std::string bytes;
+  for (const char gid : {5, 6, 0, 6, 5, 5}) bytes += {gid, 0, 0, 0};
+  const auto base64 = [](const std::string& raw) {
+    static constexpr std::string_view kLetters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t bit = 0; bit < 8 * raw.size(); bit += 6) {
+      unsigned value = 0;
+      for (std::size_t each = bit; each < bit + 6; ++each) {
+        const bool set =
+            each < 8 * raw.size() && (static_cast<unsigned char>(raw[each / 8]) >> (7 - each % 8) & 1U) != 0;
+        value = 2 * value + (set ? 1 : 0);
+      }
+      text += kLetters[value];
+    }
+    while (text.size() % 4 != 0) text += '=';
+    return text;
+  };
+  std::string packed(200, '\0');
+  uLongf length = packed.size();
+  REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &length,
+                   reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()) == Z_OK);
+  packed.resize(length);
+  const std::string kWays[] = {
+      layer(R"(<data encoding="csv">5,6,0,
+6,5,5</data>)"),
+      layer(
+          R"(<data><tile gid="5"/><tile gid="6"/><tile/><tile gid="6"/><tile gid="5"/><tile gid="5"/></data>)"),
+      layer(R"(<data encoding="base64">)" + base64(bytes) + "</data>"),
+      layer(R"(<data encoding="base64" compression="zlib">)" + base64(packed) + "</data>"),
+      layer(
+          R"(<data encoding="csv"><chunk x="-2" y="0" width="2" height="2">5,6,6,5</chunk><chunk x="0" y="0" width="1" height="2">0,5</chunk></data>)"),
+  };
+  for (const std::string& way : kWays) {
+    CAPTURE(way);
+    Tileset tileset;
+    const Grid map = read_tiled(land.write("m.tmx", map_with(way)), tileset, true);
+    CHECK(map.size == Size{{3, 2, 1}});
+    CHECK(names_in(map, tileset) ==
+          std::vector<std::string>{"grass", "land#1", "", "land#1", "grass", "grass"});
+  }
+  Tileset tileset;
+  const fs::path json = land.write(
+      "m.tmj",
+      R"({"orientation": "orthogonal", "layers": [{"type": "tilelayer", "width": 3, "height": 2, "data": [5, 6, 0, 6, 5, 5]}], "tilesets": [{"firstgid": 5, "source": "land.tsx"}]})");
+  const Grid map = read_tiled(json, tileset, true);
+  CHECK(names_in(map, tileset) ==
+        std::vector<std::string>{"grass", "land#1", "", "land#1", "grass", "grass"});
+}
+
+TEST_CASE("all eight orientations of a tile come back, and look as they should") {
+  const Land land;
+  std::string data;
+  for (std::uint32_t flags = 0; flags < 8; ++flags)
+    data += std::to_string(6 + (flags << 29U)) + (flags < 7 ? "," : "");
+  const std::string eight = R"(<layer width="8" height="1"><data encoding="csv">)" + data + "</data></layer>";
+  const fs::path path = land.write("m.tmx", map_with(eight));
+  Tileset tileset;
+  const Grid map = read_tiled(path, tileset, true);
+  REQUIRE(tileset.size() == 8);
+  // The reds of the corners: upper left, upper right, lower left, lower right. The flags are, from the lowest
+  // bit on: diagonal, top to bottom, left to right.
+  const std::array<std::array<int, 4>, 8> kCorners{{{1, 2, 3, 4},
+                                                    {1, 3, 2, 4},
+                                                    {3, 4, 1, 2},
+                                                    {2, 4, 1, 3},
+                                                    {2, 1, 4, 3},
+                                                    {3, 1, 4, 2},
+                                                    {4, 3, 2, 1},
+                                                    {4, 2, 3, 1}}};
+  for (Tile tile = 0; tile < 8; ++tile) {
+    CAPTURE(static_cast<int>(tile));
+    const Picture& icon = tileset[tile].icon;
+    const std::array<int, 4> corners{icon.at(0, 0)[0], icon.at(1, 0)[0], icon.at(0, 1)[0], icon.at(1, 1)[0]};
+    CHECK(corners == kCorners[tile]);
+  }
+  const std::string written = write_tmx(map, tileset, path, land.path() / "out");
+  CHECK(written.find(R"(source="../land.tsx")") != std::string::npos);
+  CHECK(written.find(data) != std::string::npos);
+  Tileset again;
+  CHECK(read_tiled(land.write("copy.tmx", write_tmx(map, tileset, path, land.path())), again, true) == map);
+}
+
+TEST_CASE("a written map keeps what Tiled knows of it, and has one layer") {
+  const Land land;
+  const fs::path path = land.write(
+      "m.tmx", map_with(R"(<properties><property name="music" value="slow"/></properties>)" +
+                        layer(R"(<data encoding="csv">5,6,0,6,5,5</data>)") + R"(<objectgroup id="7"/>)"));
+  Tileset tileset;
+  read_tiled(path, tileset, true);
+  const std::string written = write_tmx(Grid(Size{{2, 1, 1}}, 0), tileset, path, land.path());
+  CHECK(written.find("slow") != std::string::npos);
+  CHECK(written.find("objectgroup") == std::string::npos);
+  CHECK(written.find("\n5,5\n") != std::string::npos);
+}
+
+TEST_CASE("mistakes in maps of Tiled are told") {
+  const Land land;
+  const auto error = [&](const std::string& text) { return error_of(land.write("m.tmx", text)); };
+  CHECK(error("<map").starts_with("m.tmx: byte "));
+  CHECK(error("<tileset/>") == "m.tmx: is no map of Tiled");
+  CHECK(error(map_with(layer(R"(<data encoding="csv">5,6</data>)"))) ==
+        "m.tmx: a layer has 2 tiles, but its size says 6");
+  CHECK(error(map_with(layer(R"(<data encoding="csv">5,6,5,5,5,5,5</data>)"))) ==
+        "m.tmx: a layer has more tiles than its size says");
+  CHECK(error(map_with(layer(R"(<data encoding="csv">1,5,5,5,5,5</data>)"))) ==
+        "m.tmx: no tileset has the gid 1");
+  CHECK(error(map_with(layer(R"(<data encoding="base64" compression="zstd">AAAA</data>)"))) ==
+        "m.tmx: the compression 'zstd' is not read; save the map with zlib or csv");
+  CHECK(error(map_with(layer(R"(<data encoding="base64" compression="zlib">AAAA</data>)"))) ==
+        "m.tmx: a layer has packed data that are broken or of another size than it says");
+  CHECK(error(map_with(R"(<layer width="1000000" height="1000000"><data encoding="csv">5</data></layer>)")) ==
+        "m.tmx: a layer has more than 4194304 tiles");
+  const std::string whole = layer(R"(<data encoding="csv">5,6,0,6,5,5</data>)");
+  CHECK(error(map_with(whole + whole)) == "m.tmx: has several visible layers; hide all but one");
+  CHECK(error(map_with(whole, R"(source="../land.tsx")")).find("is not in the map's folder") !=
+        std::string::npos);
+  CHECK(error(map_with(whole, R"(source="/etc/passwd")")).find("is not in the map's folder") !=
+        std::string::npos);
+  CHECK(error(map_with("")) == "m.tmx: has no tiles");
+}
+
+TEST_CASE("entities of a map of Tiled are not resolved") {
+  const Land land;
+  const std::string text = R"(<!DOCTYPE m [<!ENTITY a "5,5,5,5,5,5"><!ENTITY b SYSTEM "/etc/passwd">]>)" +
+                           map_with(layer(R"(<data encoding="csv">&a;&b;</data>)")).substr(21);
+  CHECK(error_of(land.write("m.tmx", text)) == "m.tmx: a layer has data that are no numbers");
+}
+
+TEST_CASE("no beginning of a map of Tiled does harm") {
+  const Land land;
+  const std::string whole = map_with(layer(R"(<data encoding="csv">5,6,0,6,5,5</data>)"));
+  for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
+    CHECK(error_of(land.write("m.tmx", whole.substr(0, length))).starts_with("m.tmx: "));
+  }
+}
+
+}  // namespace
+}  // namespace solitaire::tiles
