@@ -97,7 +97,7 @@ TEST_CASE("fitted weights make tiles as frequent as in the exemplar") {
 TEST_CASE("a connected dungeon has the counts and the border that are asked for") {
   Request request = read_request(SOLITAIRE_SOURCE_DIR "/examples/tiles/dungeon.tiles.json");
   const std::shared_ptr<Style> style = read_style(request);
-  add_step_shape(*style, {{2, 2, 1}}, 1);
+  fit_weights(*style, default_shapes(*style), 1, StopSignal());
   request.size = {24, 20, 1};
   const Problem problem = make_problem(request, style);
   SamplerOptions options;
@@ -121,7 +121,7 @@ TEST_CASE("connectivity counts components, by the sides that are open") {
   const Topology two_rows = flat(4, 2);
   CHECK(Connected(two_rows, sides, "").violation(map("....\n....\n")) == 0);
   CHECK(Connected(two_rows, sides, "").violation(map("____\n....\n")) == 0);
-  CHECK(Connected(two_rows, sides, "").violation(map("__.._\n....._\n")) == 2);
+  CHECK(Connected(two_rows, sides, "").violation(map("__._\n..._\n")) == 2);
   // Rows are not linked, for nothing is open up or down.
   CHECK(Connected(two_rows, sides, "").violation(map("____\n____\n")) == 1);
   Topology ring = two_rows;

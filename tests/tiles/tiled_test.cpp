@@ -69,7 +69,7 @@ std::string error_of(const fs::path& path) {
     read_tiled(path, tileset, true);
   } catch (const FileError& error) {
     const std::string text = error.what();
-    return text.substr(text.rfind("/") + 1);
+    return text.substr(path.parent_path().string().size() + 1);
   }
   return "";
 }

@@ -28,13 +28,16 @@ double chain_chi_squared(const Problem& sampled, const Problem& target, const Ch
   Frontier frontier(sampled);
   Weights weights(sampled.style());
   std::uint64_t sweep = 0;
+  bool all_redrawn = true;
   for (std::size_t draw = 0; draw < options.draws; ++draw) {
     for (std::uint64_t each = 0; each < options.thinning; ++each, ++sweep) {
       const auto windows = options.boxes ? plan.boxes(2, 2, sweep, random) : plan.bands(sweep, random);
-      for (const auto& window : windows) CHECK(frontier.redraw(map, window, weights, random));
+      for (const auto& window : windows)
+        all_redrawn = frontier.redraw(map, window, weights, random) && all_redrawn;
     }
     all.draw(map);
   }
+  CHECK(all_redrawn);
   CHECK(all.strangers() == 0);
   return all.chi_squared();
 }
