@@ -17,7 +17,8 @@ Grid read_exemplar(const std::filesystem::path& file, int side, Tileset& tileset
   if (ending == ".png") return cut_tiles(name, read_png(name, read_bytes(file)), side, tileset, open);
   if (ending == ".tmx" || ending == ".tmj") return read_tiled(file, tileset, open);
   if (ending == ".json") return read_json(name, read_bytes(file), tileset, open);
-  throw FileError(name, fmt::format("'{}' is no format of maps; .txt, .png, .tmx, .tmj and .json are", ending));
+  throw FileError(name,
+                  fmt::format("'{}' is no format of maps; .txt, .png, .tmx, .tmj and .json are", ending));
 }
 
 }  // namespace solitaire::tiles
