@@ -8,6 +8,7 @@
 #include "scene/picture/picture.h"
 #include "scene/picture/picture_files.h"
 #include "scene/picture/png.h"
+#include "scene/picture/shape.h"
 #include "scene/picture/sheet.h"
 #include "tests/scene_fixture.h"
 
@@ -159,6 +160,23 @@ TEST_CASE("picture: the walls towards the camera are cut low, with their windows
   CHECK(pixels.size() == 7);  // all objects, and nothing
   CHECK(pixels.at(1) > 2 * pixels.at(2));
   CHECK(pixels.at(5) > 50);
+}
+
+TEST_CASE("picture: what is cut ends at that height, and its cut is closed but for its openings") {
+  const Box3 wall{{0, 0, 0}, {4, 2.5, 0.2}};
+  const auto parts = solid_parts(wall, {{0.25, 0.5, 0, 0.8}, {0.5, 0.75, 0.4, 0.8}});  // a door and a window
+  const Shape cut = cut_below(blocks(parts, {}), parts, Affine{}, 0.5);
+  for (const Vector& point : cut.points) CHECK(point.y <= 0.5F);
+  double lids = 0;
+  for (const Shape::Triangle& triangle : cut.triangles) {
+    if (triangle.finish + 1 != cut.finishes.size()) continue;
+    const auto& [a, b, c] = triangle.corners;
+    const Vector twice = cross(cut.points[b] - cut.points[a], cut.points[c] - cut.points[a]);
+    CHECK(twice.x == 0);
+    CHECK(twice.y > 0);
+    lids += twice.y / 2;
+  }
+  CHECK(lids == doctest::Approx(3 * 0.2));  // 4 metres less the door's one
 }
 
 TEST_CASE("picture: seen from below or from the side nothing is cut") {

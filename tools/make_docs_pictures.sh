@@ -5,23 +5,23 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 
 images=docs/images
+solitaire=${SOLITAIRE:-bin/solitaire}   # another build can be named
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # draw NAME EXAMPLE [OPTION]...: one solution of the example as docs/images/NAME.png.
 draw() {
-  bin/solitaire generate "examples/$2.sol" -n 1 --png-size 960x640 --quiet -o "$work/$1" "${@:3}"
+  "$solitaire" generate "examples/$2.sol" -n 1 --png-size 960x640 --quiet -o "$work/$1" "${@:3}"
   cp "$work/$1/$2-0001.png" "$images/$1.png"
 }
 
 # draw_sheet NAME EXAMPLE [OPTION]...: nine solutions side by side.
 draw_sheet() {
-  bin/solitaire generate "examples/$2.sol" -n 9 --png-size 480x360 --quiet -o "$work/$1" "${@:3}"
+  "$solitaire" generate "examples/$2.sol" -n 9 --png-size 480x360 --quiet -o "$work/$1" "${@:3}"
   cp "$work/$1/sheet.png" "$images/$1.png"
 }
 
-draw workspace workspace
 draw_sheet workspaces workspace
+draw workspace workspace --seed 1
 draw workspace_open workspace_open
 draw office office
-draw_sheet offices office

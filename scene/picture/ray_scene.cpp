@@ -68,13 +68,12 @@ const std::vector<Finish>& RayScene::finishes(const Shape& shape, const std::opt
 void RayScene::add(TracedShapes& shapes, const SceneObject& object, std::optional<double> cut) {
   const Affine move = to_affine({{-middle_[0], -middle_[1], -middle_[2]}, {0, 0, 0, 1}, {1, 1, 1}});
   const Affine map = move * to_affine(object.node_transform);
-  const Box3 box = object.asset ? object.asset->box : unit_box();
+  const std::vector<Box3> parts = solid_parts(object.asset ? object.asset->box : unit_box(), object.openings);
   const TracedShape* shape = &shapes.of(object.asset);
-  if (!object.openings.empty())
-    shape = &own(shapes.prepare(blocks(solid_parts(box, object.openings), shape->shape.finishes.front())));
+  if (!object.openings.empty()) shape = &own(shapes.prepare(blocks(parts, shape->shape.finishes.front())));
   if (!cut) return attach(shapes.device(), *shape, map, object.paint);
-  attach(shapes.device(), own(shapes.prepare(cut_below(shape->shape, box, map, *cut - middle_[1]))), Affine{},
-         object.paint);
+  Shape below = cut_below(shape->shape, parts, map, *cut - middle_[1]);
+  attach(shapes.device(), own(shapes.prepare(std::move(below))), Affine{}, object.paint);
 }
 
 const TracedShape& RayScene::own(TracedShape shape) {

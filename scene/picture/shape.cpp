@@ -159,8 +159,7 @@ void close(Shape& cut, const Box3& box, const Affine& map, double height) {
     point.y = static_cast<float>(height);
     lid.push_back({point, {0, 1, 0}});
   }
-  add_polygon(cut, lid, static_cast<std::uint32_t>(cut.finishes.size()));
-  cut.finishes.push_back(kCutFinish);
+  add_polygon(cut, lid, static_cast<std::uint32_t>(cut.finishes.size()) - 1);
 }
 
 }  // namespace
@@ -188,9 +187,10 @@ Shape blocks(const std::vector<Box3>& boxes, const Finish& finish) {
   return shape;
 }
 
-Shape cut_below(const Shape& shape, const Box3& box, const Affine& map, double height) {
+Shape cut_below(const Shape& shape, const std::vector<Box3>& boxes, const Affine& map, double height) {
   Shape cut;
   cut.finishes = shape.finishes;
+  cut.finishes.push_back(kCutFinish);
   const NormalMap turned(map);
   for (const Shape::Triangle& triangle : shape.triangles) {
     std::vector<Corner> polygon;
@@ -198,7 +198,7 @@ Shape cut_below(const Shape& shape, const Box3& box, const Affine& map, double h
       polygon.push_back({to_vector(map.apply(to_vec3(shape.points[i]))), turned.apply(shape.normals[i])});
     add_polygon(cut, below(polygon, static_cast<float>(height)), triangle.finish);
   }
-  close(cut, box, map, height);
+  for (const Box3& box : boxes) close(cut, box, map, height);
   return cut;
 }
 

@@ -39,8 +39,8 @@ Shape box_shape();
 /// Returns blocks of one finish, which is the primary one.
 Shape blocks(const std::vector<Box3>& boxes, const Finish& finish);
 
-/// Returns the part of the mapped shape below the height y. Where `box`, which holds the shape, reaches above
-/// it, the cut is closed with the dark fill that plans give to cut walls.
-Shape cut_below(const Shape& shape, const Box3& box, const Affine& map, double height);
+/// Returns the part of the mapped shape below the height y. Where one of the boxes, which together hold the
+/// shape, reaches above it, the cut is closed with the dark fill that plans give to cut walls.
+Shape cut_below(const Shape& shape, const std::vector<Box3>& boxes, const Affine& map, double height);
 
 }  // namespace solitaire
