@@ -12,7 +12,8 @@ namespace solitaire {
 /// doors.
 ///
 /// Walls are things whose model or name says so ("wall", "back wall"), and plain boxes as thin and tall as
-/// walls. Scenes of more than ten thousand walls are shown whole.
+/// walls. A scene in which more than twenty million pairs of a wall and a thing would have to be compared is
+/// shown whole.
 std::vector<std::optional<double>> cut_heights(const Scene& scene, const Vec3& to_camera);
 
 }  // namespace solitaire
