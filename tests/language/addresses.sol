@@ -31,8 +31,8 @@ place("chair", at: [range(16, 16), 0], size: [1, 1]);
 // expect choice: room[0][0]/make_table[1]/x#2 = 1
 // expect choice: room[0][0]/make_table[1]/x#3 = 2
 // expect choice: room[0][0]/range = 5
-// expect choice: a = 0
-// expect choice: a#2 = 1
+// expect choice: a = false
+// expect choice: a#2 = true
 // expect choice: b = 7
 // expect choice: b#2 = 8
 // expect choice: area/range = 9

@@ -4,4 +4,4 @@ x = range(0, 1);
 // expect solutions: 12
 // expect choice: x = 1
 // expect choice: x#2 = 1
-// expect choice: y = 0
+// expect choice: y = false

@@ -10,4 +10,4 @@ return chain(0);
 // expect: 2
 // expect: 3
 // expect: 4
-// expect choice: chain/chain/chain/flip = 1
+// expect choice: chain/chain/chain/flip = true
