@@ -74,6 +74,7 @@ class Delivery : public SearchObserver {
   void hand_over(const Solution& solution) {
     for (const std::string& line : solution.printed) progress_.say(line);
     found_(solution);
+    delivered_ = search_.summary();
   }
 
   ExitStatus conclude(Ending ending) {
@@ -89,7 +90,8 @@ class Delivery : public SearchObserver {
   }
 
   ExitStatus finish(Ending ending) {
-    const Summary summary = search_.summary();
+    Summary summary = delivered_;
+    summary.alike = search_.summary().alike;
     if (!options_.quiet)
       tell(summary_text(summary, ending, seconds(), search_.stop_token().reason(), options_));
     close_(ending);
@@ -135,6 +137,7 @@ class Delivery : public SearchObserver {
   const Found& found_;
   const Close& close_;
   Progress progress_;
+  Summary delivered_ = search_.summary();  // changes only while delivering
   /// Given back where there is no more memory, for what is to be done then. It is not touched, so it takes
   /// none from the machine.
   std::unique_ptr<std::byte[]> reserve_ = std::make_unique_for_overwrite<std::byte[]>(std::size_t{32} << 20);

@@ -19,7 +19,7 @@ ExitStatus generate_command(const Options& options, Watchdog& watchdog) {
     if (options.json) print_result(to_json(solution) + "\n");
   };
   const auto close = [&](std::optional<Ending> ending) {
-    const auto page = output.close(search.summary(), ending, search.stop_token().reason());
+    const auto page = output.close(ending, search.stop_token().reason());
     if (page && !options.quiet) tell(fmt::format("see {}\n", page->string()));
   };
   deliver_all(search, session, options, watchdog, found, close);

@@ -95,6 +95,7 @@ class OutputFolder::State {
       if (scene && pictures_) entry.picture = pictures_->take_up(*scene, entry.name);
       entries_.push_back(std::move(entry));
     }
+    written_ = search.summary();
   }
 
   void add(const Solution& solution, const Summary& summary) {
@@ -106,19 +107,20 @@ class OutputFolder::State {
     // The last of the files: where it is, the others are.
     write_file_atomically(folder_ / entry.json, json(entry.name, solution, summary));
     entries_.push_back(std::move(entry));
+    written_ = summary;
   }
 
-  std::optional<fs::path> close(const Summary& summary, std::optional<Ending> ending, StopReason reason) {
+  std::optional<fs::path> close(std::optional<Ending> ending, StopReason reason) {
     if (pictures_) pictures_->close();
     std::optional<fs::path> page;
     if (!entries_.empty()) {
       page = folder_ / "index.html";
-      write_file_atomically(*page, gallery(summary));
+      write_file_atomically(*page, gallery());
     }
     Json manifest{{"name", program_.name()}, {"version", version()}};
     manifest.update(run_json(program_, options_));
-    manifest.update(manifest_json(options_, summary, ending, reason));
-    if (timings_) manifest["timings"] = timings_json(summary.times);
+    manifest.update(manifest_json(options_, written_, ending, reason));
+    if (timings_) manifest["timings"] = timings_json(written_.times);
     write_file_atomically(folder_ / (program_.name() + "-run.json"), json_text(manifest, 1) + "\n");
     return page;
   }
@@ -158,12 +160,12 @@ class OutputFolder::State {
     return scene;
   }
 
-  std::string gallery(const Summary& summary) const {
+  std::string gallery() const {
     GalleryInfo info{program_.name(), program_.file_name(), std::to_string(options_.seed),
                      program_.settings()};
-    if (summary.solutions > 1) {
-      info.options.emplace_back("mean distance of choices", fmt::format("{:.2f}", summary.choice_distance));
-      info.options.emplace_back("of results", fmt::format("{:.2f}", summary.result_distance));
+    if (written_.solutions > 1) {
+      info.options.emplace_back("mean distance of choices", fmt::format("{:.2f}", written_.choice_distance));
+      info.options.emplace_back("of results", fmt::format("{:.2f}", written_.result_distance));
     }
     return gallery_html(info, entries_);
   }
@@ -183,6 +185,7 @@ class OutputFolder::State {
   AssetLibrary assets_;
   std::optional<PictureFiles> pictures_;
   std::vector<GalleryEntry> entries_;
+  Summary written_;  // of the search, as of the last solution whose files are there
 };
 
 OutputFolder::OutputFolder(const fs::path& folder, const Program& program, const SearchOptions& options,
@@ -200,9 +203,8 @@ void OutputFolder::add(const Solution& solution, const Summary& summary) {
   translated(state_->sources(), [&] { state_->add(solution, summary); });
 }
 
-std::optional<fs::path> OutputFolder::close(const Summary& summary, std::optional<Ending> ending,
-                                            StopReason reason) {
-  return translated(state_->sources(), [&] { return state_->close(summary, ending, reason); });
+std::optional<fs::path> OutputFolder::close(std::optional<Ending> ending, StopReason reason) {
+  return translated(state_->sources(), [&] { return state_->close(ending, reason); });
 }
 
 }  // namespace solitaire::api

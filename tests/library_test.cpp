@@ -337,7 +337,7 @@ TEST_CASE("library: scenes, a page and what there is to say about a run go to a 
   Search search(program, options);
   OutputFolder output(place / "out", program, options);
   for (const Solution& solution : search) output.add(solution, search.summary());
-  CHECK(output.close(search.summary(), search.ending()) == place / "out/index.html");
+  CHECK(output.close(search.ending()) == place / "out/index.html");
   for (const char* file : {"scene-0001.glb", "scene-0002.json", "index.html", "scene-run.json"})
     CHECK(std::filesystem::exists(place / "out" / file));
   CHECK(has(bytes_of(place / "out/scene-run.json"), "\"ended\": \"enough\""));
@@ -438,7 +438,7 @@ TEST_CASE("library: nothing is written to standard output or standard error") {
       printed = solution.printed;
       output.add(solution, search.summary());
     }
-    output.close(search.summary(), search.ending());
+    output.close(search.ending());
     try {
       Program::from_text("wrong.sol", "x = ;\n");
     } catch (const Error&) {

@@ -38,11 +38,11 @@ class SOLITAIRE_API OutputFolder {
   /// Goes on with the run that left its solutions in the folder, without repeating any: the search takes them
   /// up. To be called before anything else. Throws where the folder's run is another one.
   void resume(Search& search);
-  /// Writes a solution's files.
+  /// Writes a solution's files. `summary` is what the search came to with this solution.
   void add(const Solution& solution, const Summary& summary);
   /// Writes the page and the run's file. Without an ending, an error ended the run. `reason` says why it
   /// stopped, where it did. Returns the page, or nothing where there are no solutions to show.
-  std::optional<std::filesystem::path> close(const Summary& summary, std::optional<Ending> ending,
+  std::optional<std::filesystem::path> close(std::optional<Ending> ending,
                                              StopReason reason = StopReason::kNone);
 
  private:
