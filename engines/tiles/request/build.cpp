@@ -175,7 +175,7 @@ std::shared_ptr<const GlobalRule> connected_rule(const ConnectedEntry& entry, co
   std::vector<Sides> open(tileset.size());
   tile_set(tileset, entry.tiles).for_each([&](Tile tile) { open[tile] = kAllSides; });
   for (const auto& [name, letters] : entry.open) {
-    tile_set(tileset, {name}).for_each([&](Tile tile) { open[tile] = sides_of(letters); });
+    open[tile_set(tileset, {name}).lowest()] = sides_of(letters);
   }
   std::vector<std::string> names = entry.tiles;
   for (const auto& [name, letters] : entry.open) names.push_back(name);
