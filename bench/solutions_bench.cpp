@@ -49,7 +49,7 @@ void find(benchmark::State& state, const Program& program, const ParamValues& pa
       times.add(processor_seconds() - start);
     }
     times.report(state);
-    const TracingTimes& spent = engine.times();
+    const EngineTimes& spent = engine.times();
     state.counters["encode"] = spent.encode;
     state.counters["solve"] = spent.solve;
     state.counters["replay"] = spent.replay;

@@ -8,15 +8,17 @@
 namespace solitaire {
 namespace {
 
-void add_values(Features& features, const std::string& name, const Value& value) {
-  if (const List* list = value.as_list(); list != nullptr && !list->items.empty()) {
+void add_values(Features& features, const std::string& name, const PlainValue& value) {
+  const auto* list = std::get_if<PlainValue::List>(&value.is);
+  if (list != nullptr && !list->items.empty()) {
     for (std::size_t i = 0; i < list->items.size(); ++i)
       add_values(features, name + '[' + std::to_string(i) + ']', list->items[i]);
     return;
   }
-  if (const auto* record = value.object<Record>(); record != nullptr && !record->fields.empty()) {
-    for (std::size_t i = 0; i < record->fields.size(); ++i)
-      add_values(features, name + '.' + record->type->fields[i].name, record->fields[i]);
+  const auto* record = std::get_if<PlainValue::Record>(&value.is);
+  if (record != nullptr && !record->values.empty()) {
+    for (std::size_t i = 0; i < record->values.size(); ++i)
+      add_values(features, name + '.' + record->names[i], record->values[i]);
     return;
   }
   features.emplace(name, to_json(value));
@@ -24,22 +26,22 @@ void add_values(Features& features, const std::string& name, const Value& value)
 
 }  // namespace
 
-Features choice_features(const std::vector<AnsweredChoice>& choices) {
+Features choice_features(const ChosenValues& choices) {
   Features features;
-  for (const AnsweredChoice& choice : choices) features.emplace(choice.address, to_text(choice.value));
+  for (const ChosenValue& choice : choices) features.emplace(choice.address, to_text(choice.value));
   return features;
 }
 
-Features result_features(const Execution& execution) {
+Features result_features(const Solution& solution) {
   Features features;
   std::uint64_t copy = 0;
   std::string before;
-  for (std::string& look : looks_of(execution)) {
+  for (std::string& look : looks_of(solution)) {
     copy = look == before ? copy + 1 : 0;
     features.emplace(std::to_string(copy) + ' ' + look, "");
     before = std::move(look);
   }
-  if (!execution.value.is<Value::Nil>()) add_values(features, "value", execution.value);
+  if (!solution.value.is_nil()) add_values(features, "value", solution.value);
   return features;
 }
 

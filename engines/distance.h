@@ -4,7 +4,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "engines/engine.h"
+#include "engines/solution.h"
 
 namespace solitaire {
 
@@ -37,17 +37,18 @@ Overlap overlap_of(const std::map<Name, Value>& a, const std::map<Name, Value>& 
   return overlap;
 }
 
-/// What solutions are compared by.
+/// What solutions are compared by: names and values, as text, since solutions come from engines with address
+/// tables of their own.
 using Features = std::map<std::string, std::string>;
 
-/// The addresses of the choices that the solution meets, and their values.
-Features choice_features(const std::vector<AnsweredChoice>& choices);
+/// Returns the addresses of the choices that the solution meets, and their values.
+Features choice_features(const ChosenValues& choices);
 
-/// What a solution looks like. Each placed thing is a name without a value: what it looks like (as of
+/// Returns what a solution looks like. Each placed thing is a name without a value: what it looks like (as of
 /// DistinctResults), with a number, since there can be several that look alike. Each bool, number, string,
 /// nil or function in the returned value is a value, whose name is where it stands in lists and records, and
 /// so is an empty list or record; but to return nothing is to have none.
-Features result_features(const Execution& execution);
+Features result_features(const Solution& solution);
 
 /// The mean distance of all pairs out of a set: 1 - (sum of Overlap::shared) / (sum of Overlap::all), so that
 /// a pair counts by how many names it has. Where all have the same names, that is the plain mean. It depends
@@ -72,8 +73,8 @@ class MeanDistance {
 class Diversity {
  public:
   void add(const Solution& solution) {
-    choices_.add(choice_features(solution.answers));
-    results_.add(result_features(solution.execution));
+    choices_.add(choice_features(solution.choices));
+    results_.add(result_features(solution));
     ++solutions_;
   }
   std::uint64_t solutions() const { return solutions_; }

@@ -7,7 +7,7 @@
 namespace solitaire {
 namespace {
 
-std::string look(const Placement& placement) {
+std::string look(const PlacedObject& placement) {
   std::string text =
       fmt::format("{} {} {} {}", json_string(placement.asset), placement.at, placement.size, placement.turn);
   if (placement.angle) text += fmt::format(" angle {}", *placement.angle);
@@ -17,15 +17,15 @@ std::string look(const Placement& placement) {
 
 }  // namespace
 
-std::vector<std::string> looks_of(const Execution& execution) {
+std::vector<std::string> looks_of(const Solution& solution) {
   std::vector<std::string> looks;
-  for (const Placement& placement : execution.placements) looks.push_back(look(placement));
+  for (const PlacedObject& placement : solution.placements) looks.push_back(look(placement));
   std::sort(looks.begin(), looks.end());
   return looks;
 }
 
-std::string DistinctResults::key(const Execution& execution) {
-  return fmt::format("{}\n{}", to_json(execution.value), fmt::join(looks_of(execution), "\n"));
+std::string DistinctResults::key(const Solution& solution) {
+  return fmt::format("{}\n{}", to_json(solution.value), fmt::join(looks_of(solution), "\n"));
 }
 
 }  // namespace solitaire

@@ -1,5 +1,6 @@
 #include <solitaire/check.h>
 
+#include "engines/solve/traced_program.h"
 #include "library/engine_options.h"
 #include "library/program_state.h"
 #include "library/translate.h"
@@ -8,25 +9,25 @@ namespace solitaire::api {
 
 Checked check(const Program& program, const Options& options, bool deep) {
   const solitaire::Program& parsed = program.state().program;
-  TracingEngine engine(parsed, values_of_params(program.state(), program.settings()),
+  TracedProgram traced(parsed, values_of_params(program.state(), program.settings()),
                        engine_options(options));
   Checked checked;
   checked.warnings = public_diagnostics(parsed.warnings, parsed.sources);
   return translated(parsed.sources, [&] {
     try {
       if (deep) {
-        checked.errors = public_diagnostics(engine.find_mistakes(&checked.complete), parsed.sources);
+        checked.errors = public_diagnostics(traced.find_errors(&checked.complete), parsed.sources);
       } else {
-        checked.complete = engine.check_mistakes();
+        checked.complete = traced.check();
       }
     } catch (const ProgramError& error) {
       checked.errors = public_diagnostics(error.diagnostics(), parsed.sources);
     }
-    const Trace& trace = engine.pass().trace;
+    const Trace& trace = traced.trace();
     checked.choices = trace.choices.size();
     checked.conditions = trace.asserts.size();
     checked.placed = trace.placed.size();
-    checked.nodes = engine.graph().size();
+    checked.nodes = traced.graph().size();
     checked.closed = trace.blockers.size();
     return checked;
   });

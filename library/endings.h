@@ -1,7 +1,7 @@
 #pragma once
 #include <solitaire/search.h>
 
-#include "engines/engine.h"
+#include "engines/solution_stream.h"
 
 namespace solitaire::api {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <solitaire/options.h>
 
-#include "engines/solve/execution_solver.h"
+#include "engines/solve/options.h"
 
 namespace solitaire::api {
 

@@ -1,5 +1,6 @@
 #include <solitaire/explain.h>
 
+#include "engines/solve/tracing.h"
 #include "library/endings.h"
 #include "library/engine_options.h"
 #include "library/explanation.h"
@@ -65,7 +66,7 @@ class Explainer::State {
       : program_(program),
         stop_(options.stop),
         explainer_(program.state().program, values_of_params(program.state(), program.settings()),
-                   exact(engine_options(options))) {}
+                   engine_options(options).exact()) {}
 
   std::optional<Conflict> next() {
     const SourceSet& sources = program_.state().program.sources;
@@ -78,12 +79,6 @@ class Explainer::State {
   Ending ending() const { return public_ending(explainer_.ending()); }
 
  private:
-  /// The thesis engine's answers are no proofs.
-  static TracingOptions exact(TracingOptions options) {
-    options.backend = exact_backend(options.backend);
-    return options;
-  }
-
   Program program_;
   StopToken stop_;  // keeps alive what the engine looks at
   solitaire::Explainer explainer_;

@@ -6,10 +6,9 @@
 
 namespace solitaire::api {
 
-void write_formula(TracingEngine& engine, const std::filesystem::path& path) {
+void write_formula(const Formula& formula, const std::filesystem::path& path) {
   const auto to_text = path.extension() == ".cnf" ? to_dimacs : to_smt2;
-  const std::vector<NodeId> conditions = engine.formula();
-  write_file_atomically(path, to_text(engine.graph(), engine.addresses(), conditions));
+  write_file_atomically(path, to_text(formula.graph, formula.addresses, formula.conditions));
 }
 
 }  // namespace solitaire::api

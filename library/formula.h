@@ -1,11 +1,11 @@
 #pragma once
 #include <filesystem>
 
-#include "engines/solve/tracing.h"
+#include "engines/solution_stream.h"
 
 namespace solitaire::api {
 
-/// Writes what holds in the solutions that the engine has left, in the format that the name's ending says.
-void write_formula(TracingEngine& engine, const std::filesystem::path& path);
+/// Writes the formula of the solutions that are left, in the format that the name's ending says.
+void write_formula(const Formula& formula, const std::filesystem::path& path);
 
 }  // namespace solitaire::api

@@ -10,28 +10,36 @@ std::string place(Span span, const SourceSet& sources) {
   return std::filesystem::path(sources.place(span)).filename().string();
 }
 
-List frozen_list(const solitaire::List& list) {
-  List made;
-  made.items.reserve(list.items.size());
-  for (const solitaire::Value& item : list.items) made.items.push_back(frozen(item));
-  return made;
-}
+/// Makes the public form of each kind of value.
+struct Freezer {
+  Value operator()(const PlainValue::Nil&) const { return {Nil{}}; }
+  Value operator()(const PlainValue::List& list) const {
+    List made;
+    made.items.reserve(list.items.size());
+    for (const PlainValue& item : list.items) made.items.push_back(frozen(item));
+    return {std::move(made)};
+  }
+  Value operator()(const PlainValue::Record& record) const {
+    Record made{record.type, {}};
+    for (std::size_t i = 0; i < record.values.size(); ++i)
+      made.fields.push_back({record.names[i], frozen(record.values[i])});
+    return {std::move(made)};
+  }
+  Value operator()(const PlainValue::Function& function) const { return {Function{function.name}}; }
+  template <class Scalar>
+  Value operator()(const Scalar& scalar) const {
+    return {scalar};
+  }
+};
 
-Record frozen_record(const solitaire::Record& record) {
-  Record made{record.type->name, {}};
-  for (std::size_t i = 0; i < record.fields.size(); ++i)
-    made.fields.push_back({record.type->fields[i].name, frozen(record.fields[i])});
-  return made;
-}
-
-std::vector<Choice> frozen_choices(const std::vector<AnsweredChoice>& choices) {
+std::vector<Choice> frozen_choices(const ChosenValues& choices) {
   std::vector<Choice> made;
   made.reserve(choices.size());
-  for (const AnsweredChoice& choice : choices) made.push_back(frozen(choice));
+  for (const ChosenValue& choice : choices) made.push_back(frozen(choice));
   return made;
 }
 
-Placement frozen(const solitaire::Placement& placement) {
+Placement frozen(const PlacedObject& placement) {
   return {placement.asset,  placement.at,
           placement.size,   placement.turn,
           placement.angle,  placement.color,
@@ -40,7 +48,7 @@ Placement frozen(const solitaire::Placement& placement) {
           placement.extras, placement.source};
 }
 
-BrokenAssert frozen(const Rejection& broken, const SourceSet& sources) {
+BrokenAssert frozen(const solitaire::BrokenAssert& broken, const SourceSet& sources) {
   return {broken.address, place(broken.span, sources), std::string(sources.text(broken.span)), broken.message,
           broken.choices};
 }
@@ -60,30 +68,9 @@ Distribution::Family family_of(Type type) {
 
 }  // namespace
 
-Value frozen(const solitaire::Value& value) {
-  using Kind = solitaire::Value::Kind;
-  switch (value.kind()) {
-    case Kind::kUnset:
-    case Kind::kNil:
-      return {Nil{}};
-    case Kind::kBool:
-      return {*value.get<bool>()};
-    case Kind::kInt:
-      return {*value.get<std::int64_t>()};
-    case Kind::kFloat:
-      return {*value.get<double>()};
-    case Kind::kString:
-      return {value.object<String>()->text};
-    case Kind::kList:
-      return {frozen_list(*value.as_list())};
-    case Kind::kRecord:
-      return {frozen_record(*value.object<solitaire::Record>())};
-    default:
-      return {Function{solitaire::to_text(value)}};
-  }
-}
+Value frozen(const PlainValue& value) { return std::visit(Freezer{}, value.is); }
 
-Choice frozen(const AnsweredChoice& choice) {
+Choice frozen(const ChosenValue& choice) {
   switch (choice.value.type()) {
     case Type::kBool:
       return {choice.address, choice.value.as_int() != 0};
@@ -96,26 +83,23 @@ Choice frozen(const AnsweredChoice& choice) {
 }
 
 Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const SourceSet& sources) {
-  const Execution& execution = solution.execution;
   Solution made;
   made.number = number;
-  made.value = frozen(execution.value);
-  made.text = solitaire::to_text(execution.value);
-  made.choices = frozen_choices(solution.answers);
-  if (solution.quality) {
-    made.quality = Quality{solution.quality->broken, execution.wishes.size(), solution.quality->cost,
-                           solution.quality->proved};
-  }
-  for (const Rejection& broken : execution.broken) made.broken.push_back(frozen(broken, sources));
-  for (const solitaire::Placement& placement : execution.placements)
-    made.placements.push_back(frozen(placement));
-  made.unit = execution.unit;
-  made.printed = execution.printed;
+  made.value = frozen(solution.value);
+  made.text = solitaire::to_text(solution.value);
+  made.choices = frozen_choices(solution.choices);
+  if (const auto& quality = solution.quality)
+    made.quality = Quality{quality->broken, quality->wishes, quality->cost, quality->proved};
+  for (const solitaire::BrokenAssert& broken : solution.broken)
+    made.broken.push_back(frozen(broken, sources));
+  for (const PlacedObject& object : solution.placements) made.placements.push_back(frozen(object));
+  made.unit = solution.unit;
+  made.printed = solution.printed;
   return made;
 }
 
-KnownChoices known_choices(const std::vector<Choice>& choices) {
-  KnownChoices known;
+ChosenValues known_choices(const std::vector<Choice>& choices) {
+  ChosenValues known;
   for (const Choice& choice : choices) {
     const auto value = std::visit([](auto answer) { return TypedScalar::of(answer); }, choice.value);
     known.push_back({choice.address, family_of(value.type()), value});

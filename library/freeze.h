@@ -2,18 +2,18 @@
 #include <solitaire/search.h>
 #include <solitaire/solution.h>
 
-#include "engines/engine.h"
-#include "engines/solve/tracing.h"
+#include "base/source.h"
+#include "engines/solution.h"
 
 namespace solitaire::api {
 
-// From what an engine has, which belongs to its thread and program, to plain data that refers to nothing.
+// From the plain data that engines hand out to that of the public headers.
 
-Value frozen(const solitaire::Value& value);
-Choice frozen(const AnsweredChoice& choice);
+Value frozen(const PlainValue& value);
+Choice frozen(const ChosenValue& choice);
 Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const SourceSet& sources);
 
 /// Returns the choices as engines have those of a solution that is known from before.
-KnownChoices known_choices(const std::vector<Choice>& choices);
+ChosenValues known_choices(const std::vector<Choice>& choices);
 
 }  // namespace solitaire::api

@@ -3,6 +3,7 @@
 #include <solitaire/error.h>
 #include <solitaire/options.h>
 
+#include "engines/thesis/published_method.h"
 #include "library/engine_options.h"
 #include "library/pins.h"
 #include "library/stop_access.h"
@@ -31,16 +32,16 @@ Exploration exploration_of(const Options& options) {
   return {};
 }
 
-Backend backend_of(Solver solver) {
+const SearchMethod& method_of(Solver solver) {
   switch (solver) {
     case Solver::kCadical:
       break;
     case Solver::kZ3:
-      return Backend::kZ3;
+      return z3_method();
     case Solver::kThesis:
-      return Backend::kThesis;
+      return published_method();
   }
-  return Backend::kCadical;
+  return cadical_method();
 }
 
 solitaire::SceneDetail detail_of(SceneDetail detail) {
@@ -72,8 +73,8 @@ TracingOptions engine_options(const Options& options) {
   TracingOptions tracing;
   tracing.exploration = exploration_of(options);
   tracing.seed = options.seed;
-  tracing.backend = backend_of(options.solver);
-  tracing.diverse = options.solver != Solver::kThesis;
+  tracing.method = &method_of(options.solver);
+  tracing.diverse = tracing.method->can_diversify();
   tracing.pins = pins_of(options);
   tracing.limits.max_steps = options.max_steps;
   tracing.limits.max_depth = options.max_depth;

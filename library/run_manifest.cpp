@@ -109,7 +109,7 @@ double rounded(double distance) { return std::round(distance * 1e4) / 1e4; }
 Json run_json(const Program& program, const SearchOptions& options) {
   Json params = Json::object();
   for (const auto& [param, value] : values_of_params(program.state(), program.settings()))
-    params[param] = json_of(frozen(value));
+    params[param] = json_of(frozen(plain(value)));
   const bool uniform = options.sampling == Sampling::kUniform;
   return {{"program", program.file_name()},
           {"params", std::move(params)},

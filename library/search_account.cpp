@@ -4,7 +4,7 @@ namespace solitaire::api {
 
 SearchAccount::Compared SearchAccount::compared(const solitaire::Solution& solution, bool with_result) {
   if (!with_result) return {};
-  return {choice_features(solution.answers), result_features(solution.execution)};
+  return {choice_features(solution.choices), result_features(solution)};
 }
 
 void SearchAccount::count(const Compared& compared) {
@@ -22,7 +22,7 @@ std::uint64_t SearchAccount::add(const solitaire::Solution& solution, bool with_
   return solutions_;
 }
 
-void SearchAccount::set_times(const TracingTimes& times) {
+void SearchAccount::set_times(const EngineTimes& times) {
   const std::lock_guard lock(mutex_);
   times_ = times;
 }

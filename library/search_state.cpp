@@ -33,7 +33,7 @@ SeriesOptions series_options(const Program& program, const SearchOptions& option
   return series;
 }
 
-std::unique_ptr<SolutionSource> source_of(const Program& program, const ParamValues& params,
+std::unique_ptr<SolutionStream> stream_of(const Program& program, const ParamValues& params,
                                           const SearchOptions& options) {
   const TracingOptions tracing = engine_options(options);
   const solitaire::Program& parsed = program.state().program;
@@ -55,8 +55,9 @@ Search::State::State(const Program& program, const SearchOptions& options)
       options_(options),
       params_(values_of_params(program.state(), program.settings())),
       stop_(options.stop),
-      source_(source_of(program_, params_, with_stop(options, stop_.token()))) {
-  source_->on_improvement([this](const solitaire::Solution& solution) { improved(solution); });
+      stream_(stream_of(program_, params_, with_stop(options, stop_.token()))) {
+  if (auto* improving = ability_of<Improving>(*stream_))
+    improving->on_improvement([this](const solitaire::Solution& solution) { improved(solution); });
 }
 
 std::optional<Solution> Search::State::next() {
@@ -68,7 +69,7 @@ std::optional<Solution> Search::State::next() {
       return find();
     });
     if (!found) return std::nullopt;
-    account_.set_times(source_->times());
+    take_times();
     return frozen(*found, account_.add(*found, options_.scene != SceneDetail::kNone), sources());
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::kStopped) throw;
@@ -79,14 +80,24 @@ std::optional<Solution> Search::State::next() {
 
 Ending Search::State::ending() const {
   if (stopped_) return Ending::kStopped;
-  return wants_more() ? public_ending(source_->ending()) : Ending::kNone;
+  return wants_more() ? public_ending(stream_->ending()) : Ending::kNone;
 }
 
 /// Does what comes before the first solution, and does not count as a search for it.
 void Search::State::begin() {
   if (std::exchange(begun_, true)) return;
   if (options_.relax) check_mistakes();
-  if (!source_->catch_up()) throw Interrupted();
+  auto* resumable = ability_of<Resumable>(*stream_);
+  if (resumable != nullptr && !resumable->catch_up()) throw Interrupted();
+}
+
+std::uint64_t Search::State::alike() const {
+  const auto* counting = ability_of<CountingAlike>(*stream_);
+  return counting != nullptr ? counting->alike() : 0;
+}
+
+void Search::State::take_times() {
+  if (const auto* timed = ability_of<Timed>(*stream_)) account_.set_times(timed->times());
 }
 
 std::optional<solitaire::Solution> Search::State::find() {
@@ -96,9 +107,11 @@ std::optional<solitaire::Solution> Search::State::find() {
     stop_.set_deadline(*deadline_, StopReason::kTimePerSolution);
   }
   if (observer_ != nullptr) observer_->begun();
-  source_->explore();
-  if (observer_ != nullptr) observer_->explored(source_->engine().graph().size());
-  std::optional<solitaire::Solution> found = source_->next();
+  if (auto* exploring = ability_of<Exploring>(*stream_)) {
+    exploring->explore();
+    if (observer_ != nullptr) observer_->explored(exploring->graph_size());
+  }
+  std::optional<solitaire::Solution> found = stream_->next();
   if (deadline_) stop_.set_deadline(Clock::time_point::max());
   return found;
 }
@@ -115,25 +128,31 @@ void Search::State::improved(const solitaire::Solution& solution) {
 void Search::State::check_mistakes() {
   SearchOptions strict = with_stop(options_, stop_.token());
   strict.relax = false;
-  TracingEngine(program_.state().program, params_, engine_options(strict)).check_mistakes();
+  TracedProgram(program_.state().program, params_, engine_options(strict)).check();
 }
 
 std::vector<Solution> Search::State::resume(const std::vector<std::vector<Choice>>& earlier) {
-  std::vector<KnownChoices> known;
+  std::vector<ChosenValues> known;
   for (const std::vector<Choice>& choices : earlier) known.push_back(known_choices(choices));
   std::vector<Solution> solutions;
   try {
-    for (const solitaire::Solution& solution : translated(sources(), [&] { return source_->resume(known); }))
+    auto* resumable = ability_of<Resumable>(*stream_);
+    if (resumable == nullptr)
+      throw Error(Error::Kind::kUsage, "this engine cannot go on with an earlier run");
+    for (const solitaire::Solution& solution :
+         translated(sources(), [&] { return resumable->resume(known); }))
       solutions.push_back(frozen(solution, account_.add(solution, true, true), sources()));
   } catch (const NotASolution& error) {
     throw Error(Error::Kind::kFile, error.what());
   }
-  account_.set_times(source_->times());
+  take_times();
   return solutions;
 }
 
 void Search::State::write_formula(const std::filesystem::path& path) {
-  translated(sources(), [&] { solitaire::api::write_formula(source_->engine_of_rest(), path); });
+  auto* with_formula = ability_of<WithFormula>(*stream_);
+  if (with_formula == nullptr) throw Error(Error::Kind::kUsage, "this engine has no formula");
+  translated(sources(), [&] { solitaire::api::write_formula(with_formula->formula_of_rest(), path); });
 }
 
 }  // namespace solitaire::api

@@ -4,7 +4,7 @@
 #include <solitaire/search.h>
 
 #include "engines/distance.h"
-#include "engines/solve/solution_source.h"
+#include "engines/solution_stream.h"
 #include "library/program_state.h"
 
 namespace solitaire::api {
@@ -15,7 +15,7 @@ class SearchAccount {
   /// Takes a solution into the account, also one of an earlier run, and returns its number. Without the
   /// result, it is not known how much results differ.
   std::uint64_t add(const solitaire::Solution& solution, bool with_result, bool earlier = false);
-  void set_times(const TracingTimes& times);
+  void set_times(const EngineTimes& times);
   /// Keeps the best solution so far, which will be the next one if it comes to that.
   void set_best(Solution best, const solitaire::Solution& solution);
   void forget_best();
@@ -34,7 +34,7 @@ class SearchAccount {
   mutable std::mutex mutex_;  // of all that follows
   std::uint64_t solutions_ = 0, earlier_ = 0;
   MeanDistance choice_distance_, result_distance_;
-  TracingTimes times_;
+  EngineTimes times_;
   std::optional<std::pair<Solution, Compared>> best_;
 };
 
@@ -47,13 +47,15 @@ class Search::State {
   StopToken stop_token() const { return stop_.token(); }
   void observe(SearchObserver* observer) { observer_ = observer; }
   std::vector<Solution> resume(const std::vector<std::vector<Choice>>& earlier);
-  Summary summary() const { return account_.summary(source_->alike()); }
+  Summary summary() const { return account_.summary(alike()); }
   std::optional<Solution> take_best_so_far() { return account_.take_best(); }
   void write_formula(const std::filesystem::path& path);
 
  private:
   const SourceSet& sources() const { return program_.state().program.sources; }
   void begin();
+  std::uint64_t alike() const;
+  void take_times();
   std::optional<solitaire::Solution> find();
   void improved(const solitaire::Solution& solution);
   void check_mistakes();
@@ -64,7 +66,7 @@ class Search::State {
   ParamValues params_;
   StopSource stop_;  // of this search, part of the whole that the options' token stops
   SearchObserver* observer_ = nullptr;
-  std::unique_ptr<SolutionSource> source_;
+  std::unique_ptr<SolutionStream> stream_;
   SearchAccount account_;
   bool begun_ = false;
   bool extended_ = false;  // the time for this solution

@@ -1,5 +1,6 @@
 #include <solitaire/check.h>
 
+#include "engines/solve/requirements.h"
 #include "library/engine_options.h"
 #include "library/program_state.h"
 #include "library/translate.h"
@@ -9,18 +10,6 @@
 namespace solitaire::api {
 namespace {
 
-/// Returns all that has to hold in a solution of the explored paths.
-std::vector<NodeId> formula(Graph& graph, const Trace& trace) {
-  std::vector<NodeId> conditions;
-  for (const TraceAssert& required : trace.asserts) {
-    conditions.push_back(graph.implication(required.guard, required.condition));
-  }
-  for (const TraceBlocker& blocker : trace.blockers) conditions.push_back(graph.negation(blocker.guard));
-  for (const TraceProgramError& mistake : trace.program_errors)
-    conditions.push_back(graph.negation(mistake.guard));
-  return conditions;
-}
-
 std::string text_of(const SymbolicPass& pass, Graph& graph, const AddressTable& addresses,
                     TraceFormat format) {
   switch (format) {
@@ -29,7 +18,7 @@ std::string text_of(const SymbolicPass& pass, Graph& graph, const AddressTable& 
     case TraceFormat::kDot:
       return trace_dot(graph, addresses, pass.trace);
     case TraceFormat::kSmtlib:
-      return to_smt2(graph, addresses, formula(graph, pass.trace));
+      return to_smt2(graph, addresses, requirements_of(graph, pass.trace));
   }
   return trace_text(graph, addresses, pass.trace,
                     [&](const NodeName& name) { return solitaire::to_text(pass.value, name); });

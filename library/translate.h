@@ -5,9 +5,7 @@
 #include "base/diagnostic.h"
 #include "base/file_error.h"
 #include "base/stop_signal.h"
-#include "engines/count/uniform.h"
-#include "engines/engine.h"
-#include "engines/solve/tracing.h"
+#include "engines/errors.h"
 #include "scene/error.h"
 
 namespace solitaire::api {

@@ -506,13 +506,13 @@ void check_all_by_brute_force(const std::string& text, const std::vector<std::st
   std::vector<std::string> expected;
   while (const auto solution = engine.next()) {
     json choices = json::array();
-    for (const AnsweredChoice& choice : solution->answers) {
-      const bool is_bool = choice.kind == Distribution::Family::kFlip;
+    for (const ChosenValue& choice : solution->choices) {
+      const bool is_bool = choice.family == Distribution::Family::kFlip;
       choices.push_back(
           {{"at", choice.address},
            {"value", is_bool ? json(choice.value.as_int() != 0) : json(choice.value.as_int())}});
     }
-    expected.push_back(choices.dump() + json::parse(to_json(solution->execution.value)).dump());
+    expected.push_back(choices.dump() + json::parse(to_json(solution->value)).dump());
   }
   std::sort(expected.begin(), expected.end());
   CHECK(printed == expected);

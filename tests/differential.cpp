@@ -35,28 +35,27 @@ bool is_beyond_engine(const std::string& error) {
 }
 
 /// Everything that a solution says.
-std::string describe(const Solution& solution, const AddressTable& addresses) {
+std::string describe(const Solution& solution) {
   std::vector<std::string> choices;
-  for (const AnsweredChoice& choice : readable(solution.choices, addresses)) {
+  for (const ChosenValue& choice : solution.choices) {
     choices.push_back(fmt::format("{}={}", choice.address, to_text(choice.value)));
   }
   std::sort(choices.begin(), choices.end());
-  const Execution& run = solution.execution;
-  std::string text = fmt::format("{} -> {}", fmt::join(choices, " "), to_json(run.value));
-  for (const Placement& placed : run.placements) {
+  std::string text = fmt::format("{} -> {}", fmt::join(choices, " "), to_json(solution.value));
+  for (const PlacedObject& placed : solution.placements) {
     text +=
         fmt::format("\n    placed {} name {} from {} {} with {}", placed.address, json_string(placed.name),
                     placed.source, fmt::join(placed.calls, "/"), placed.extras.size());
   }
-  text += fmt::format("\n    looks {} unit {}", fmt::join(looks_of(run), "; "), run.unit);
-  for (const std::string& line : run.printed) text += "\n    printed " + line;
+  text += fmt::format("\n    looks {} unit {}", fmt::join(looks_of(solution), "; "), solution.unit);
+  for (const std::string& line : solution.printed) text += "\n    printed " + line;
   return text;
 }
 
 /// An address that two choices of one execution share, or "".
-std::string shared_address(const Solution& solution, const AddressTable& addresses) {
+std::string shared_address(const Solution& solution) {
   std::set<std::string> seen;
-  for (const AnsweredChoice& choice : readable(solution.choices, addresses)) {
+  for (const ChosenValue& choice : solution.choices) {
     if (!seen.insert(choice.address).second) return choice.address;
   }
   return "";
@@ -148,9 +147,9 @@ class Comparer {
       try {
         const auto solution = engine.next();
         if (!solution) break;
-        const std::string shared = shared_address(*solution, engine.addresses());
+        const std::string shared = shared_address(*solution);
         if (!shared.empty()) return differ("brute force", "two choices share the address " + shared);
-        if (!expected_.solutions.insert(describe(*solution, engine.addresses())).second) {
+        if (!expected_.solutions.insert(describe(*solution)).second) {
           return differ("brute force", "two executions look the same");
         }
       } catch (const ProgramError& error) {
@@ -204,7 +203,7 @@ class Comparer {
     try {
       TracingEngine engine(program_, {}, options);
       while (const auto solution = engine.next()) {
-        const std::string text = describe(*solution, engine.addresses());
+        const std::string text = describe(*solution);
         if (!found.solutions.insert(text).second) {
           found.fault = "found twice: " + text;
           return found;

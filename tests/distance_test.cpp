@@ -20,9 +20,9 @@ std::vector<Solution> solutions_of(const std::string& text) {
 }
 
 Features features_of(const std::string& text) {
-  const Program program = program_of(text);  // values refer to it
+  const Program program = program_of(text);
   ExhaustiveEngine engine(program, {}, {});
-  return result_features(engine.next()->execution);
+  return result_features(*engine.next());
 }
 
 double results_distance(const std::string& a, const std::string& b) {
@@ -103,8 +103,8 @@ TEST_CASE("distance: of a program's solutions, with paths that differ and scenes
   Diversity diversity;
   for (const Solution& each : all) {
     diversity.add(each);
-    choices.push_back(choice_features(each.answers));
-    results.push_back(result_features(each.execution));
+    choices.push_back(choice_features(each.choices));
+    results.push_back(result_features(each));
   }
   CHECK(all.size() == 1 + 3 + 9);
   CHECK(diversity.of_choices() == mean_of_pairs(choices));

@@ -163,18 +163,16 @@ std::vector<std::pair<std::string, std::string>> settings_of(const PageProgram& 
   return settings;
 }
 
-void check_first(const PageProgram& shown, const Solution& solution, const TracingEngine& engine,
-                 const SourceSet& sources, const fs::path& folder) {
-  const Execution& execution = solution.execution;
+void check_first(const PageProgram& shown, const Solution& solution, const SourceSet& sources,
+                 const fs::path& folder) {
   if (shown.expects("choices")) {
     std::vector<std::string> addresses;
-    for (const AnsweredChoice& choice : readable(solution.choices, engine.addresses()))
-      addresses.push_back(choice.address);
+    for (const ChosenValue& choice : solution.choices) addresses.push_back(choice.address);
     CHECK(fmt::format("{}", fmt::join(addresses, " ")) == shown.of("choices").front().text);
   }
-  if (shown.expects("print")) CHECK(execution.printed == lines_of(shown.of("print")));
+  if (shown.expects("print")) CHECK(solution.printed == lines_of(shown.of("print")));
   if (shown.expects("places"))
-    CHECK(std::to_string(execution.placements.size()) == shown.of("places").front().text);
+    CHECK(std::to_string(solution.placements.size()) == shown.of("places").front().text);
   AssetLibrary assets(kSource / "assets", folder);
   CHECK_NOTHROW(api::scene_of(api::frozen(solution, 1, sources), "docs", assets));
 }
@@ -196,9 +194,9 @@ void check_solutions(const PageProgram& shown, const Program& program, const Par
   while (solutions < (wants_all ? kMostSolutions : 1)) {
     const auto solution = engine.next();
     if (!solution) break;
-    if (++solutions == 1) check_first(shown, *solution, engine, program.sources, folder);
-    values.insert(to_text(solution->execution.value));
-    if (results.add(solution->execution)) ++distinct;
+    if (++solutions == 1) check_first(shown, *solution, program.sources, folder);
+    values.insert(to_text(solution->value));
+    if (results.add(*solution)) ++distinct;
   }
   if (wants_all) {
     CHECK(engine.ending() == Ending::kExhausted);

@@ -200,10 +200,10 @@ class ConflictCheck {
   bool complete_ = true;
 };
 
-std::string check_by(Backend backend, const RunOfProgram& run, const Conflict& conflict,
+std::string check_by(const SearchMethod& method, const RunOfProgram& run, const Conflict& conflict,
                      const AddressTable& conflict_addresses) {
   TracingOptions options;
-  options.backend = backend;
+  options.method = &method;
   options.limits = run.limits;
   options.pins = run.pins;
   AddressTable addresses;
@@ -326,8 +326,8 @@ Checked check_conflict(const RunOfProgram& run, const Conflict& conflict, const 
 
 Checked check_conflict_by_solvers(const RunOfProgram& run, const Conflict& conflict,
                                   const AddressTable& addresses) {
-  for (const Backend backend : {Backend::kCadical, Backend::kZ3}) {
-    if (std::string wrong = check_by(backend, run, conflict, addresses); !wrong.empty()) return {wrong, true};
+  for (const SearchMethod* method : {&cadical_method(), &z3_method()}) {
+    if (std::string wrong = check_by(*method, run, conflict, addresses); !wrong.empty()) return {wrong, true};
   }
   return {};
 }

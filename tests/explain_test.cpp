@@ -30,9 +30,9 @@ namespace fs = std::filesystem;
 using Members = ExplainComments::Members;
 
 /// The conflicts of a program by one of the solvers, each checked, sorted.
-std::vector<Members> conflicts_of(const RunOfProgram& run, Backend backend, bool by_solvers) {
+std::vector<Members> conflicts_of(const RunOfProgram& run, const SearchMethod& method, bool by_solvers) {
   TracingOptions options;
-  options.backend = backend;
+  options.method = &method;
   options.pins = run.pins;
   Explainer explainer(run.program, run.params, options);
   const api::ExplanationContext context{run.program.sources, explainer.addresses()};
@@ -61,8 +61,8 @@ void check_script(const fs::path& script) {
   SourceSet settings;
   const ParamValues params = read_params(program, expected.settings, settings);
   const RunOfProgram run{program, params, expected.pins, {}};
-  for (const Backend backend : {Backend::kCadical, Backend::kZ3})
-    CHECK(text_of(conflicts_of(run, backend, expected.by_solvers)) == text_of(expected.sorted_conflicts()));
+  for (const SearchMethod* method : {&cadical_method(), &z3_method()})
+    CHECK(text_of(conflicts_of(run, *method, expected.by_solvers)) == text_of(expected.sorted_conflicts()));
 }
 
 /// Every so many of the scripts: they are checked in parts, which run side by side.

@@ -13,12 +13,11 @@
 namespace solitaire {
 namespace {
 
-using Choices = std::map<std::string, std::int64_t>;
+using Choices = std::map<std::string, TypedScalar>;
 
 Choices choices_of(const Solution& solution) {
   Choices choices;
-  for (const AnsweredChoice& choice : solution.answers)
-    choices.emplace(choice.address, choice.value.as_int());
+  for (const ChosenValue& choice : solution.choices) choices.emplace(choice.address, choice.value);
   return choices;
 }
 
@@ -71,7 +70,7 @@ TEST_CASE("min distance: all solutions that are that far from each other, and no
 
 TEST_CASE("min distance: the same by Z3, without diversity, and over paths that are opened one by one") {
   TracingOptions z3, plain, little;
-  z3.backend = Backend::kZ3;
+  z3.method = &z3_method();
   plain.diverse = false;
   little.exploration.unasked_sides = 0;
   little.exploration.levels = 1;
@@ -109,7 +108,7 @@ TEST_CASE("min distance: the best come first, of those that are far enough") {
   while (const auto solution = engine.next()) {
     costs.push_back(solution->quality->cost);
     CHECK(solution->quality->proved);
-    engine.keep_away_from(solution->answers);
+    engine.keep_away_from(solution->choices);
   }
   CHECK(costs == std::vector<std::int64_t>{0, 3, 6, 9});
   check_that_nothing_is_left(engine);
@@ -122,7 +121,7 @@ TEST_CASE("min distance: the formula that is left has no model, over paths that 
   tracing.exploration.levels = 1;
   const Program program = program_of(kPaths);
   TracingEngine engine(program, {}, tracing);
-  while (const auto solution = engine.next()) engine.keep_away_from(solution->answers);
+  while (const auto solution = engine.next()) engine.keep_away_from(solution->choices);
   CHECK(engine.ending() == Ending::kExhausted);
   check_that_nothing_is_left(engine);
 }

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "engines/thesis/published_method.h"
 #include "tests/proof.h"
 
 namespace solitaire {
@@ -14,9 +15,9 @@ LoadOptions library() { return {{std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "
 
 namespace {
 
-Found found(const Solution& solution, const Engine& engine) {
-  Found made{to_text(solution.execution.value), {}, solution.execution.printed};
-  for (const AnsweredChoice& choice : readable(solution.choices, engine.addresses())) {
+Found found(const Solution& solution) {
+  Found made{to_text(solution.value), {}, solution.printed};
+  for (const ChosenValue& choice : solution.choices) {
     made.choices.push_back(fmt::format("{} = {}", choice.address, to_text(choice.value)));
   }
   return made;
@@ -30,9 +31,9 @@ std::vector<Found> sorted(std::vector<Found> all) {
 
 }  // namespace
 
-std::vector<Found> all_solutions(Engine& engine) {
+std::vector<Found> all_solutions(SolutionStream& engine) {
   std::vector<Found> all;
-  while (const auto solution = engine.next()) all.push_back(found(*solution, engine));
+  while (const auto solution = engine.next()) all.push_back(found(*solution));
   return sorted(std::move(all));
 }
 
@@ -42,7 +43,7 @@ std::optional<std::vector<Found>> brute_force(const Program& program, const Para
   std::vector<Found> all;
   while (const auto solution = engine.next()) {
     if (engine.executions() > most_executions) return std::nullopt;
-    all.push_back(found(*solution, engine));
+    all.push_back(found(*solution));
   }
   return sorted(std::move(all));
 }
@@ -56,14 +57,51 @@ std::vector<Found> all_solutions(const Program& program, const ParamValues& para
   }
   TracingOptions options;
   options.diverse = false;
-  if (way == Way::kZ3) options.backend = Backend::kZ3;
-  if (way == Way::kThesis) options.backend = Backend::kThesis;
+  if (way == Way::kZ3) options.method = &z3_method();
+  if (way == Way::kThesis) options.method = &published_method();
   if (way == Way::kRandom || way == Way::kThesis) options.exploration = {Exploration::Policy::kRandom, 40};
   TracingEngine engine(program, params, options);
   auto found = all_solutions(engine);
   if (way == Way::kDemand || way == Way::kZ3) CHECK(engine.ending() == Ending::kExhausted);
   if (way == Way::kDemand) check_that_nothing_is_left(engine);
   return found;
+}
+
+std::optional<std::vector<Execution>> all_executions(const Program& program, AddressTable& addresses,
+                                                     const Limits& limits, std::uint64_t most) {
+  ExhaustiveChoices choices;
+  std::vector<Execution> all;
+  for (std::uint64_t count = 0; choices.advance(); ++count) {
+    if (count == most) return std::nullopt;
+    Execution execution = execute(program, {}, choices, addresses, limits);
+    if (!execution.rejection) all.push_back(std::move(execution));
+  }
+  return all;
+}
+
+namespace {
+
+class GivenChoices : public Choices {
+ public:
+  GivenChoices(const ChosenValues& choices, AddressTable& addresses) {
+    for (const ChosenValue& choice : choices)
+      values_.emplace(addresses.address(choice.address), choice.value);
+  }
+  std::optional<TypedScalar> answer(AddressId address, const Distribution&) override {
+    return values_.at(address);
+  }
+
+ private:
+  Valuation values_;
+};
+
+}  // namespace
+
+Execution run_again(const Program& program, const ParamValues& params, const ChosenValues& choices,
+                    const Limits& limits) {
+  AddressTable addresses;
+  GivenChoices given(choices, addresses);
+  return execute(program, params, given, addresses, limits);
 }
 
 Program load(const std::string& path) {

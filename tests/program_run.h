@@ -25,7 +25,7 @@ struct Found {
 };
 
 /// All solutions that an engine has, sorted.
-std::vector<Found> all_solutions(Engine& engine);
+std::vector<Found> all_solutions(SolutionStream& engine);
 
 /// Exploring on demand with CaDiCaL or Z3, exploring at random, the dissertation's engine, or running every
 /// execution.
@@ -39,6 +39,15 @@ std::vector<Found> all_solutions(const Program& program, const ParamValues& para
 /// All solutions by running every execution, sorted; nothing if there are more than so many executions.
 std::optional<std::vector<Found>> brute_force(const Program& program, const ParamValues& params,
                                               std::uint64_t most_executions);
+
+/// Every execution that is no error, by counting through all choices; nothing if there are more than so many.
+/// Values in them refer to the program. Throws ProgramError.
+std::optional<std::vector<Execution>> all_executions(const Program& program, AddressTable& addresses,
+                                                     const Limits& limits, std::uint64_t most = UINT64_MAX);
+
+/// The execution with these choices, run on its own.
+Execution run_again(const Program& program, const ParamValues& params, const ChosenValues& choices,
+                    const Limits& limits);
 
 /// The program of a script below tests/.
 Program load(const std::string& path);

@@ -25,9 +25,9 @@ SatVerdict cadical_verdict(const std::string& dimacs) {
 }
 
 void check_that_nothing_is_left(TracingEngine& engine) {
-  const std::vector<NodeId> formula = engine.formula();
-  CHECK(cvc5_verdict(to_smt2(engine.graph(), engine.addresses(), formula)) == "unsat");
-  const std::string clauses = to_dimacs(engine.graph(), engine.addresses(), formula);
+  const Formula formula = engine.formula_of_rest();
+  CHECK(cvc5_verdict(to_smt2(formula.graph, formula.addresses, formula.conditions)) == "unsat");
+  const std::string clauses = to_dimacs(formula.graph, formula.addresses, formula.conditions);
   const SatVerdict verdict = cadical_verdict(clauses);
   CHECK(!verdict.satisfiable);
   CHECK(fault_of_proof(clauses, verdict.proof) == "");

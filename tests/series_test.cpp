@@ -22,16 +22,16 @@ std::vector<std::string> take(Series& series, std::size_t count) {
     const auto solution = series.next();
     if (!solution) break;
     std::string text;
-    for (const AnsweredChoice& choice : solution->answers)
+    for (const ChosenValue& choice : solution->choices)
       text += fmt::format("{}={} ", choice.address, to_text(choice.value));
     taken.push_back(std::move(text));
   }
   return taken;
 }
 
-std::vector<KnownChoices> take_choices(Series& series, std::size_t count) {
-  std::vector<KnownChoices> taken;
-  while (taken.size() < count) taken.push_back(series.next()->answers);
+std::vector<ChosenValues> take_choices(Series& series, std::size_t count) {
+  std::vector<ChosenValues> taken;
+  while (taken.size() < count) taken.push_back(series.next()->choices);
   return taken;
 }
 
@@ -52,7 +52,7 @@ void check_resumed(const char* text, const SeriesOptions& options, const std::ve
   for (const std::size_t cut : cuts) {
     CAPTURE(cut);
     Series first(program, {}, tracing, options);
-    const std::vector<KnownChoices> earlier = take_choices(first, cut);
+    const std::vector<ChosenValues> earlier = take_choices(first, cut);
     Series second(program, {}, tracing, options);
     const std::vector<Solution> again = second.resume(earlier);
     REQUIRE(again.size() == cut);
@@ -164,20 +164,20 @@ TEST_CASE("series: every solution is run where that is asked for, and few where 
 TEST_CASE("series: every solution is run by default, also those that come from an earlier run") {
   const Program program = program_of(kRooks);
   Series first(program, {}, {}, {});
-  const std::vector<KnownChoices> earlier = take_choices(first, 3);
+  const std::vector<ChosenValues> earlier = take_choices(first, 3);
   CHECK(first.times().replays == 3);
   Series second(program, {}, {}, {});
   second.resume(earlier);
   CHECK(second.times().replays == 3);
 }
 
-AnsweredChoice int_choice(const char* address, std::int64_t value) {
+ChosenValue int_choice(const char* address, std::int64_t value) {
   return {address, Distribution::Family::kRange, TypedScalar::of(value)};
 }
 
 TEST_CASE("series: what is no solution of the program is refused, by its number") {
   const Program program = program_of("x = range(0, 3); y = range(0, 3); assert(x < y); return x;");
-  const std::vector<std::vector<KnownChoices>> wrong = {
+  const std::vector<std::vector<ChosenValues>> wrong = {
       {{int_choice("x", 2), int_choice("y", 1)}},   // its assert fails
       {{int_choice("x", -1), int_choice("y", 1)}},  // a value out of the range
       {{int_choice("x", 1)}},                       // a choice is missing
@@ -202,7 +202,7 @@ TEST_CASE("series: a solution is not found again over a choice whose range grew 
   options.exploration.grant = 1;
   TracingEngine engine(program, {}, options);
   CHECK(all_solutions(engine).size() == 29);  // checks that each comes once
-  CHECK(engine.passes() > 2);
+  CHECK(engine.traced().solver().passes() > 2);
   check_that_nothing_is_left(engine);  // though the formula knows the last pass only
 }
 

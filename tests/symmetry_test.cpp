@@ -14,7 +14,7 @@ namespace {
 std::set<std::string> all_looks(const Program& program) {
   std::set<std::string> looks;
   ExhaustiveEngine engine(program, {}, {});
-  while (const auto solution = engine.next()) looks.insert(DistinctResults::key(solution->execution));
+  while (const auto solution = engine.next()) looks.insert(DistinctResults::key(*solution));
   return looks;
 }
 
@@ -31,7 +31,7 @@ Listed list(const Program& program) {
   Series series(program, {}, tracing, options);
   Listed listed;
   while (const auto solution = series.next()) {
-    CHECK(listed.looks.insert(DistinctResults::key(solution->execution)).second);
+    CHECK(listed.looks.insert(DistinctResults::key(*solution)).second);
   }
   CHECK(series.ending() == Ending::kExhausted);
   listed.alike = series.alike();

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "engines/thesis/all_different.h"
+#include "engines/thesis/published_method.h"
 #include "smt/z3/z3_solver.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
@@ -18,7 +19,7 @@ struct Run {
 Run run_thesis(const std::string& text, std::uint64_t executions = 200) {
   const Program program = program_of(text);
   TracingOptions options;
-  options.backend = Backend::kThesis;
+  options.method = &published_method();
   options.exploration = {Exploration::Policy::kRandom, executions};
   TracingEngine engine(program, {}, options);
   Run run{all_solutions(engine), {}};
@@ -102,7 +103,8 @@ TEST_CASE("thesis: choices that do not exist have their reserved value") {
   CHECK(holds(reserved[0], 0, 3));
   CHECK(!holds(reserved[0], 0, 4));
   CHECK(holds(reserved[0], 1, 4));
-  const std::vector<NodeId> differ = differences(graph, trace, {{addresses.site(addresses.root(), "f"), 0}});
+  const std::vector<NodeId> differ =
+      differences(graph, trace, {{addresses.site(addresses.root(), "f"), TypedScalar::of(std::int64_t{0})}});
   REQUIRE(differ.size() == 2);
   CHECK(!holds(differ[0], 0, 3));
   CHECK(!holds(differ[1], 0, 4));  // x does not exist there

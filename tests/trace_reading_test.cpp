@@ -6,7 +6,8 @@
 #include <map>
 
 #include "engines/distinct.h"
-#include "engines/exhaustive/exhaustive.h"
+#include "engines/freeze.h"
+#include "engines/solve/exclusion.h"
 #include "tests/program_run.h"
 
 namespace solitaire {
@@ -23,26 +24,13 @@ struct Whole {
     OpenChoices open;
     AllSides all;
     pass = trace(program, {}, open, all, 0, graph, addresses, {});
-    ExhaustiveEngine engine(program, {}, {});
-    while (auto solution = engine.next()) {
-      solution->answers = readable(solution->choices, engine.addresses());
-      solutions.push_back(std::move(*solution));
-    }
+    solutions = *all_executions(program, addresses, {});
   }
 
-  Assignment assignment(const Solution& solution) {
-    std::map<AddressId, std::int64_t> values;
-    for (const AnsweredChoice& choice : solution.answers)
-      values[addresses.address(choice.address)] = choice.value.as_int();
-    return {graph, [this, values](std::size_t number) {
-              const ChoiceVariable& variable = graph.variables()[number];
-              const auto it = values.find(variable.address);
-              return Scalar::of(it == values.end() ? variable.domain.lo : it->second);
-            }};
-  }
-
-  std::optional<Execution> read(const Solution& solution, bool scene = true) {
-    Assignment values = assignment(solution);
+  std::optional<Execution> read(const Execution& solution, bool scene = true) {
+    Valuation known;
+    for (const MetChoice& choice : solution.choices) known.emplace(choice.address, choice.value);
+    Assignment values = assignment_of(graph, known);
     return read_execution(program, pass, addresses, values, scene);
   }
 
@@ -50,7 +38,7 @@ struct Whole {
   Graph graph;
   AddressTable addresses;
   SymbolicPass pass;
-  std::vector<Solution> solutions;
+  std::vector<Execution> solutions;
 };
 
 }  // namespace
@@ -71,18 +59,17 @@ TEST_CASE("reading: what a solution comes to can be read off the trace") {
     INFO(std::string(text));
     Whole whole(text);
     REQUIRE(whole.solutions.size() > 2);
-    for (const Solution& solution : whole.solutions) {
-      const Execution& run = solution.execution;
-      const std::optional<Execution> read = whole.read(solution);
+    for (const Execution& run : whole.solutions) {
+      const std::optional<Execution> read = whole.read(run);
       REQUIRE(read);
       CHECK(to_json(read->value) == to_json(run.value));
-      CHECK(looks_of(*read) == looks_of(run));
+      CHECK(looks_of(solution_of(*read, whole.addresses)) == looks_of(solution_of(run, whole.addresses)));
       CHECK(read->unit == run.unit);
       CHECK(read->cost == run.cost);
       CHECK(read->wishes.size() == run.wishes.size());
       REQUIRE(read->choices.size() == run.choices.size());
       for (std::size_t i = 0; i < run.choices.size(); ++i) {
-        CHECK(whole.addresses.text(read->choices[i].address) == solution.answers[i].address);
+        CHECK(read->choices[i].address == run.choices[i].address);
         CHECK(read->choices[i].value == run.choices[i].value);
       }
       for (std::size_t i = 0; i < run.placements.size(); ++i) {
@@ -90,7 +77,7 @@ TEST_CASE("reading: what a solution comes to can be read off the trace") {
         CHECK(read->placements[i].source == run.placements[i].source);
         CHECK(read->placements[i].extras == run.placements[i].extras);
       }
-      CHECK(whole.read(solution, false)->placements.empty());
+      CHECK(whole.read(run, false)->placements.empty());
     }
   }
 }
@@ -113,7 +100,7 @@ TEST_CASE("reading: what only shows when the program is run is left to that") {
 TEST_CASE("reading: an execution that fails an assert, or goes where the trace does not, is not read") {
   Whole whole("x = range(0, 3); if x == 2 then assert(flip()); return x;");
   std::size_t solutions = 0;
-  for (const Solution& solution : whole.solutions) solutions += whole.read(solution) ? 1 : 0;
+  for (const Execution& solution : whole.solutions) solutions += whole.read(solution) ? 1 : 0;
   CHECK(solutions == whole.solutions.size());
   const TraceAssert& required = whole.pass.trace.asserts.front();
   Assignment broken(whole.graph, [&](std::size_t number) {

@@ -55,7 +55,7 @@ TracingOptions options_of(const Sampled& program, std::uint64_t seed) {
 
 std::string text_of(const Solution& solution) {
   std::string text;
-  for (const AnsweredChoice& choice : solution.answers)
+  for (const ChosenValue& choice : solution.choices)
     text += fmt::format("{}={} ", choice.address, to_text(choice.value));
   return text;
 }
@@ -123,9 +123,9 @@ TEST_CASE("uniform: the test of evenness fails for the engine that searches") {
 
 void check_cells(const Sampled& program) {
   const Program loaded = program_of(program.text);
-  TracingEngine engine(loaded, {}, options_of(program, 0));
-  REQUIRE(engine.explore_fully());
-  SolutionSpace space(engine);
+  TracedProgram traced(loaded, {}, options_of(program, 0));
+  REQUIRE(traced.explore_fully());
+  SolutionSpace space(traced);
   REQUIRE(space.parts().size() == 1);
   SpacePart& part = space.parts().front();
   const StopSignal stop;
@@ -170,12 +170,12 @@ constexpr const char* kRooks =
     "column = [range(0, 5) for row in 0..5];\nassert(distinct(column));\n"
     "for row in 0..5 { place(\"rook\", at: [row, column[row] / 2], size: [1, 1]); }\nreturn 0;\n";
 
-std::vector<KnownChoices> take(UniformSeries& series, std::size_t count) {
-  std::vector<KnownChoices> taken;
+std::vector<ChosenValues> take(UniformSeries& series, std::size_t count) {
+  std::vector<ChosenValues> taken;
   while (taken.size() < count) {
     const auto solution = series.next();
     if (!solution) break;
-    taken.push_back(solution->answers);
+    taken.push_back(solution->choices);
   }
   return taken;
 }
@@ -186,17 +186,17 @@ void check_resumed(const UniformOptions& uniform, bool distinct, const std::vect
   TracingOptions tracing;
   tracing.seed = 7;
   UniformSeries whole(program, {}, tracing, distinct, uniform);
-  const std::vector<KnownChoices> expected = take(whole, count);
+  const std::vector<ChosenValues> expected = take(whole, count);
   for (const std::size_t cut : cuts) {
     CAPTURE(cut);
     UniformSeries series(program, {}, tracing, distinct, uniform);
     const auto middle = expected.begin() + static_cast<std::ptrdiff_t>(cut);
     series.resume({expected.begin(), middle});
-    const std::vector<KnownChoices> rest = take(series, count - cut);
+    const std::vector<ChosenValues> rest = take(series, count - cut);
     REQUIRE(rest.size() == expected.size() - cut);
     for (std::size_t i = 0; i < rest.size(); ++i) {
       CHECK(std::equal(rest[i].begin(), rest[i].end(), expected[cut + i].begin(),
-                       [](const AnsweredChoice& a, const AnsweredChoice& b) {
+                       [](const ChosenValue& a, const ChosenValue& b) {
                          return a.address == b.address && a.value == b.value;
                        }));
     }
@@ -217,7 +217,7 @@ TEST_CASE("uniform: every solution is run where that is asked for") {
     tracing.replay = replay;
     UniformEngine engine(program, {}, tracing);
     for (int i = 0; i < 40; ++i) REQUIRE(engine.next());
-    CHECK(engine.tracing().times().replays == (replay == Replay::kEvery ? 40 : 2));
+    CHECK(engine.times().replays == (replay == Replay::kEvery ? 40 : 2));
   }
 }
 

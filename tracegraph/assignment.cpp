@@ -1,5 +1,7 @@
 #include "tracegraph/assignment.h"
 
+#include "tracegraph/post_order.h"
+
 namespace solitaire {
 
 Assignment::Assignment(const Graph& graph, std::function<Scalar(std::size_t)> value_of)
@@ -9,18 +11,14 @@ Assignment::Assignment(const Graph& graph, std::function<Scalar(std::size_t)> va
       values_(graph.size(), Scalar::of(false)) {}
 
 std::optional<Scalar> Assignment::value(NodeId node) {
-  std::vector<NodeId> pending{node};  // an own stack: the graph can be deeper than the machine's
-  while (!pending.empty()) {
-    const NodeId at = pending.back();
-    const std::size_t waiting = pending.size();
-    if (state(at) == State::kUnknown) {
-      for (const NodeId operand : graph_.node(at).args()) {
-        if (state(operand) == State::kUnknown) pending.push_back(operand);
-      }
-      if (pending.size() == waiting) compute(at);
+  const auto push_needed = [this](NodeId at, std::vector<NodeId>& pending) {
+    for (const NodeId operand : graph_.node(at).args()) {
+      if (state(operand) == State::kUnknown) pending.push_back(operand);
     }
-    if (pending.size() == waiting) pending.pop_back();
-  }
+  };
+  in_post_order(
+      node, [this](NodeId at) { return state(at) != State::kUnknown; }, push_needed,
+      [this](NodeId at) { compute(at); });
   if (state(node) == State::kUndefined) return std::nullopt;
   return values_[node.index];
 }

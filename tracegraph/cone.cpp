@@ -5,17 +5,22 @@
 
 namespace solitaire {
 
+std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots) {
+  std::unordered_set<NodeId> seen(roots.begin(), roots.end());
+  std::vector<NodeId> nodes(seen.begin(), seen.end());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (const NodeId operand : graph.node(nodes[i]).args()) {
+      if (seen.insert(operand).second) nodes.push_back(operand);
+    }
+  }
+  return nodes;
+}
+
 std::set<std::size_t> variables_below(const Graph& graph, std::span<const NodeId> nodes) {
   std::set<std::size_t> variables;
-  std::unordered_set<NodeId> seen(nodes.begin(), nodes.end());
-  std::vector<NodeId> pending(seen.begin(), seen.end());
-  while (!pending.empty()) {
-    const Graph::Node& node = graph.node(pending.back());
-    pending.pop_back();
+  for (const NodeId id : nodes_below(graph, nodes)) {
+    const Graph::Node& node = graph.node(id);
     if (is_choice(node.op)) variables.insert(node.payload);
-    for (const NodeId operand : node.args()) {
-      if (seen.insert(operand).second) pending.push_back(operand);
-    }
   }
   return variables;
 }

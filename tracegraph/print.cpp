@@ -5,34 +5,25 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "tracegraph/cone.h"
+
 namespace solitaire {
 namespace {
 
-/// The nodes on which the trace's effects depend, operands before what uses them.
+/// Returns the nodes on which the trace's effects depend, operands before what uses them.
 std::vector<NodeId> nodes_of(const Graph& graph, const Trace& trace) {
-  std::vector<bool> seen(graph.size(), false);
-  std::vector<NodeId> pending;
-  const auto need = [&](NodeId node) {
-    if (!seen[node.index]) pending.push_back(node);
-    seen[node.index] = true;
-  };
+  std::vector<NodeId> roots = trace.returned;
+  const auto need = [&](NodeId node) { roots.push_back(node); };
   for (const auto& choice : trace.choices) need(choice.guard), need(choice.variable);
   for (const auto& required : trace.asserts) need(required.guard), need(required.condition);
   for (const auto& wish : trace.wishes) need(wish.guard), need(wish.cost);
   for (const auto& blocker : trace.blockers) need(blocker.guard);
-  for (const auto& mistake : trace.program_errors) need(mistake.guard);
+  for (const auto& error : trace.program_errors) need(error.guard);
   for (const auto& placed : trace.placed) {
     need(placed.guard);
     for (const NodeId node : placed.depends) need(node);
   }
-  for (const NodeId node : trace.returned) need(node);
-  std::vector<NodeId> nodes;
-  while (!pending.empty()) {
-    const NodeId node = pending.back();
-    pending.pop_back();
-    nodes.push_back(node);
-    for (const NodeId operand : graph.node(node).args()) need(operand);
-  }
+  std::vector<NodeId> nodes = nodes_below(graph, roots);
   // A node is made after its operands, so the order of making is one of evaluation.
   std::sort(nodes.begin(), nodes.end(), [](NodeId a, NodeId b) { return a.index < b.index; });
   return nodes;

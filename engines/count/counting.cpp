@@ -7,19 +7,16 @@
 namespace solitaire {
 namespace {
 
-/// What is listed anyway: an estimate needs that there are more than a few.
-constexpr std::uint64_t kFew = 64;
-
 std::uint64_t most_listed(const CountOptions& options) {
   switch (options.way) {
     case CountOptions::Way::kExactIfSmall:
-      return std::max(kFew, options.most_listed);
+      return std::max(tuning::kFewModels, options.most_listed);
     case CountOptions::Way::kExact:
       return UINT64_MAX - 1;
     case CountOptions::Way::kApproximate:
       break;
   }
-  return kFew;
+  return tuning::kFewModels;
 }
 
 }  // namespace
@@ -59,12 +56,12 @@ SolutionCounter::SolutionCounter(const Program& program, ParamValues params, con
     : seed_(options.seed),
       stop_(options.limits.stop),
       count_(count),
-      engine_(program, std::move(params), options) {}
+      program_(program, std::move(params), options) {}
 
 std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const std::string&)>& progress) {
   progress("exploring");
-  if (!engine_.explore_fully()) return std::nullopt;
-  space_.emplace(engine_);
+  if (!program_.explore_fully()) return std::nullopt;
+  space_.emplace(program_);
   std::vector<SpacePart>& parts = space_->parts();
   found_ = std::vector<std::atomic<std::uint64_t>>(parts.size());
   explored_ = true;

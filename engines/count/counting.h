@@ -1,5 +1,12 @@
 #pragma once
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "engines/count/estimate.h"
+#include "engines/tuning.h"
 
 namespace solitaire {
 
@@ -7,7 +14,7 @@ struct CountOptions {
   enum class Way : std::uint8_t { kExactIfSmall, kExact, kApproximate };
   Way way = Way::kExactIfSmall;
   /// kExactIfSmall: the most that is listed of what a part of the choices can be. kApproximate lists a few.
-  std::uint64_t most_listed = 20'000;
+  std::uint64_t most_listed = tuning::kMostListedToCount;
   Accuracy accuracy;
 };
 
@@ -29,17 +36,17 @@ class SolutionCounter {
   SolutionCounter(const Program& program, ParamValues params, const TracingOptions& options,
                   const CountOptions& count);
 
-  /// Nothing if TracingEngine::explore_fully does not explore all paths. Throws ProgramError, UnmatchedPin
-  /// and Interrupted. `progress` is told what the counter does.
+  /// Returns nothing if TracedProgram::explore_fully does not explore all paths. Throws ProgramError,
+  /// UnmatchedPin and Interrupted. `progress` is told what the counter does.
   std::optional<SolutionCount> run(const std::function<void(const std::string&)>& progress);
-  /// A number that there are at least, as far as it is known. May be asked for from another thread.
+  /// Returns a number that there are at least, as far as it is known. May be called from another thread.
   SolutionCount at_least() const;
 
  private:
   std::uint64_t seed_;
   StopSignal stop_;
   CountOptions count_;
-  TracingEngine engine_;
+  TracedProgram program_;
   std::optional<SolutionSpace> space_;
   std::vector<std::atomic<std::uint64_t>> found_;  // by part
   std::atomic<bool> explored_ = false;             // the parts are known

@@ -11,8 +11,8 @@ double beyond(double mean, double distance) { return mean / (mean + distance * d
 /// The probability that an estimate from cells with so many models in all is off, while those of a cell are
 /// kMostInCell on the average, or fewer.
 ///
-/// That it is too high means that the models were there too soon, after cells that should have at most
-/// `soon`; too low, that they were not there after cells that should have at least `late`.
+/// An estimate that is too high means that the models were there too soon, after cells that should have at
+/// most `soon`; too low, that they were not there after cells that should have at least `late`.
 double misestimate(double models, double tolerance) {
   const double soon = models / (1 + tolerance);
   const double late = models * (1 + tolerance) - kMostInCell;

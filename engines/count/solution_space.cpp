@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engines/solve/exclusion.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
@@ -23,20 +24,12 @@ class DisjointSets {
   std::vector<std::size_t> parents_;
 };
 
-/// Nodes are in one set if a condition depends on both.
+/// Puts nodes into one set if a condition depends on both.
 DisjointSets tied_nodes(const Graph& graph, const std::vector<NodeId>& conditions) {
   DisjointSets sets(graph.size());
-  std::vector<NodeId> pending = conditions;
-  std::vector<bool> seen(graph.size(), false);
-  while (!pending.empty()) {
-    const NodeId node = pending.back();
-    pending.pop_back();
-    if (seen[node.index]) continue;
-    seen[node.index] = true;
+  for (const NodeId node : nodes_below(graph, conditions)) {
     for (const NodeId operand : graph.node(node).args()) {
-      if (graph.node(operand).is_constant()) continue;
-      sets.merge(node.index, operand.index);
-      pending.push_back(operand);
+      if (!graph.node(operand).is_constant()) sets.merge(node.index, operand.index);
     }
   }
   return sets;
@@ -59,12 +52,12 @@ SpacePart::SpacePart(const Graph& graph, std::vector<std::size_t> variables, std
 std::optional<std::uint64_t> SpacePart::free_values() const {
   if (variables_.size() != 1 || !conditions_.empty()) return std::nullopt;
   const Distribution& domain = graph_->variables()[variables_.front()].domain;
-  return static_cast<std::uint64_t>(domain.hi - domain.lo) / static_cast<std::uint64_t>(domain.step) + 1;
+  return domain.size();
 }
 
 std::int64_t SpacePart::free_value(std::uint64_t number) const {
   const Distribution& domain = graph_->variables()[variables_.front()].domain;
-  return domain.lo + static_cast<std::int64_t>(number) * domain.step;
+  return domain.value(number);
 }
 
 const ProjectedModels& SpacePart::models() {
@@ -100,15 +93,17 @@ void SpacePart::decode(const BitModel& model, VariableValues& values) const {
   }
 }
 
-SolutionSpace::SolutionSpace(TracingEngine& engine) : graph_(engine.graph()), addresses_(engine.addresses()) {
-  std::vector<NodeId> conditions = engine.formula();
-  met_ = met_choices(engine.graph(), engine.pass().trace);
-  const std::vector<NodeId> fixed = fixed_unmet_choices(engine.graph(), met_);
+SolutionSpace::SolutionSpace(TracedProgram& program)
+    : graph_(program.graph()),
+      addresses_(program.addresses()),
+      meeting_(meeting_conditions(program.graph(), program.trace())) {
+  std::vector<NodeId> conditions = program.requirements(true);
+  const std::vector<NodeId> fixed = fixed_unmet_choices(program.graph(), meeting_);
   conditions.insert(conditions.end(), fixed.begin(), fixed.end());
   conditions = conjuncts(graph_, std::move(conditions));
   DisjointSets sets = tied_nodes(graph_, conditions);
   std::map<std::size_t, std::pair<std::vector<std::size_t>, std::vector<NodeId>>> parts;
-  for (const auto& [variable, met] : met_)
+  for (const auto& [variable, condition] : meeting_)
     parts[sets.find(graph_.variable_node(variable).index)].first.push_back(variable);
   for (const NodeId condition : conditions) parts[sets.find(condition.index)].second.push_back(condition);
   for (auto& [set, part] : parts) parts_.emplace_back(graph_, std::move(part.first), std::move(part.second));
@@ -137,17 +132,13 @@ VariableValues SolutionSpace::lowest() const {
   return values;
 }
 
-VariableValues SolutionSpace::values_of(const KnownChoices& choices) const {
-  std::unordered_map<std::string, std::int64_t> known;
-  for (const AnsweredChoice& choice : choices) known.emplace(choice.address, choice.value.as_int());
-  Assignment assignment(graph_, [&](std::size_t number) {
-    const ChoiceVariable& variable = graph_.variables()[number];
-    const auto value = known.find(addresses_.text(variable.address));
-    return Scalar::of(value == known.end() ? variable.domain.lo : value->second);
-  });
+VariableValues SolutionSpace::values_of(const ChosenValues& choices) const {
+  Valuation known;
+  for (const ChosenValue& choice : choices) known.emplace(addresses_.address(choice.address), choice.value);
+  Assignment assignment = assignment_of(graph_, known);
   VariableValues values = lowest();
-  for (const auto& [variable, met] : met_) {
-    if (assignment.holds(met)) values[variable] = assignment.value(graph_.variable_node(variable))->i;
+  for (const auto& [variable, condition] : meeting_) {
+    if (assignment.holds(condition)) values[variable] = assignment.value(graph_.variable_node(variable))->i;
   }
   return values;
 }

@@ -2,8 +2,8 @@
 #include <map>
 #include <memory>
 
-#include "engines/solve/met_choices.h"
-#include "engines/solve/tracing.h"
+#include "engines/solve/meeting.h"
+#include "engines/solve/traced_program.h"
 #include "smt/sat/bit_blast.h"
 #include "smt/xor/projected_models.h"
 
@@ -22,14 +22,14 @@ class SpacePart {
   const std::vector<std::size_t>& variables() const { return variables_; }
   const std::vector<NodeId>& conditions() const { return conditions_; }
 
-  /// How many values a single choice without conditions can have; nothing if the part is no such choice.
+  /// Returns how many values the part has if it is a single choice without conditions; else nothing.
   std::optional<std::uint64_t> free_values() const;
   /// The value of that choice with this number, from 0.
   std::int64_t free_value(std::uint64_t number) const;
 
-  /// What models are made of.
+  /// Returns the number of bits in a model.
   std::size_t bits() { return models().bits(); }
-  /// What the choices can be, as ProjectedModels::find. Throws Interrupted.
+  /// Lists what the choices can be, as ProjectedModels::find. Throws Interrupted.
   std::vector<BitModel> find(std::span<const XorConstraint> parities, std::size_t most,
                              const StopSignal& stop, std::atomic<std::uint64_t>* found = nullptr) {
     return models().find(parities, most, stop, found);
@@ -52,22 +52,21 @@ class SpacePart {
 /// more often.
 class SolutionSpace {
  public:
-  /// Of the newest pass of an engine that explored every path an execution can take, and that excludes no
-  /// solution.
-  explicit SolutionSpace(TracingEngine& engine);
+  /// Every path that an execution can take has to be explored.
+  explicit SolutionSpace(TracedProgram& program);
 
   std::vector<SpacePart>& parts() { return parts_; }
   /// The parts with these numbers become one, the last.
   void join(const std::vector<std::size_t>& numbers);
   /// The lowest value of each choice.
   VariableValues lowest() const;
-  /// The values that stand for the solution with these choices.
-  VariableValues values_of(const KnownChoices& choices) const;
+  /// Returns the values that stand for the solution with these choices.
+  VariableValues values_of(const ChosenValues& choices) const;
 
  private:
   const Graph& graph_;
-  const AddressTable& addresses_;
-  MetChoices met_;  // by variable: where an execution meets a choice that it stands for
+  AddressTable& addresses_;
+  MeetingConditions meeting_;
   std::vector<SpacePart> parts_;
 };
 

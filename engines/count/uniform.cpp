@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/errors.h"
+
 namespace solitaire {
 namespace {
-
-/// Where it is small, a number of draws in vain is no reason for anything.
-constexpr double kFewDraws = 1000;
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b) {
   return b != 0 && a > UINT64_MAX / b ? UINT64_MAX : a * b;
@@ -20,21 +19,21 @@ UniformEngine::UniformEngine(const Program& program, ParamValues params, const T
     : seed_(options.seed),
       stop_(options.limits.stop),
       uniform_(uniform),
-      engine_(program, std::move(params), options) {}
+      program_(program, std::move(params), options) {}
 
 void UniformEngine::explore() {
   if (space_ || ending_ != Ending::kNone) return;
-  if (!engine_.explore_fully()) {
+  if (!program_.explore_fully()) {
     ending_ = Ending::kUnexplored;
     return;
   }
-  if (!engine_.pass().trace.wishes.empty()) {
+  if (!program_.trace().wishes.empty()) {
     throw UnequalSolutions(
         "a program that prefers some of its solutions cannot be sampled uniformly: it has prefer, minimize "
         "or "
         "maximize");
   }
-  space_.emplace(engine_);
+  space_.emplace(program_);
 }
 
 /// Lists what is not much, and has the rest drawn from cells.
@@ -67,11 +66,12 @@ void UniformEngine::prepare() {
   prepared_ = true;
 }
 
-/// Whether so many solutions came, or were drawn in vain, that listing all of them is no more work. It does
-/// not depend on what a run did before that is not known to one that goes on after the same solutions.
+/// Returns true if so many solutions came, or were drawn in vain, that listing all of them is no more work.
+/// This does not depend on anything that is not known to a run that goes on after the same solutions.
 bool UniformEngine::worth_listing() const {
   const double quarter = std::exp2(sampler_->guessed_log2()) * static_cast<double>(total_) / 4;
-  return static_cast<double>(came_) > quarter || static_cast<double>(draws_) > std::max(kFewDraws, quarter);
+  return static_cast<double>(came_) > quarter ||
+         static_cast<double>(draws_) > std::max(tuning::kFewDraws, quarter);
 }
 
 bool UniformEngine::all_drawn() const {
@@ -113,8 +113,9 @@ std::optional<Solution> UniformEngine::next() {
     while (!all_drawn()) {
       const VariableValues values = draw();
       if (!drawn_.insert(values).second) continue;
-      return engine_.run(
-          Assignment(engine_.graph(), [&](std::size_t variable) { return Scalar::of(values[variable]); }));
+      Assignment assignment(program_.graph(),
+                            [&](std::size_t variable) { return Scalar::of(values[variable]); });
+      return program_.solution(program_.execution(assignment));
     }
     ending_ = Ending::kExhausted;
   } catch (const Interrupted&) {
@@ -123,7 +124,7 @@ std::optional<Solution> UniformEngine::next() {
   return std::nullopt;
 }
 
-void UniformEngine::exclude(const KnownChoices& choices) {
+void UniformEngine::exclude(const ChosenValues& choices) {
   explore();
   if (!space_) return;
   drawn_.insert(space_->values_of(choices));

@@ -1,17 +1,17 @@
 #pragma once
+#include <optional>
+#include <set>
+#include <vector>
+
 #include "engines/count/xor_sampler.h"
+#include "engines/solution_stream.h"
+#include "engines/tuning.h"
 
 namespace solitaire {
 
-/// The program has wishes, so that its solutions are not to be alike probable.
-class UnequalSolutions : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 struct UniformOptions {
   /// The most that is listed of what a part of the choices can be.
-  std::uint64_t most_listed = 10'000;
+  std::uint64_t most_listed = tuning::kMostListedToSample;
 };
 
 /// Draws solutions of a program, each that is left with nearly the same probability, whichever paths it
@@ -19,34 +19,34 @@ struct UniformOptions {
 ///
 /// Every path is explored first. Choices that no condition ties to each other are drawn apart, each part
 /// exactly uniformly if all that it can be was listed; the larger ones together as CellSampler does, within a
-/// factor of 1.1 of uniform (but for one in 20 seeds, at most). No
-/// solution comes twice: the first is drawn from all, the next one from those that are left.
+/// factor of 1.1 of uniform (but for one in 20 seeds, at most). No solution comes twice: the first is drawn
+/// from all, the next one from those that are left.
 ///
 /// What comes next depends on the seed and on the solutions that came, and on nothing else.
-class UniformEngine : public Engine {
+class UniformEngine : public SolutionStream, public Exploring, public Timed {
  public:
   /// `options` must not have asserts relaxed.
   UniformEngine(const Program& program, ParamValues params, const TracingOptions& options,
                 const UniformOptions& uniform = {});
 
-  /// As Engine::next; kUnexplored as for TracingEngine::explore_fully. Throws UnmatchedPin and
-  /// UnequalSolutions.
+  /// As SolutionStream::next. The ending is kUnexplored where TracedProgram::explore_fully returns false.
+  /// Throws UnmatchedPin and UnequalSolutions, too.
   std::optional<Solution> next() override;
   Ending ending() const override { return ending_; }
-  const AddressTable& addresses() const override { return engine_.addresses(); }
 
   /// Takes a solution that came from an earlier engine for one of this. Throws as next(), and Interrupted.
-  void exclude(const KnownChoices& choices);
+  void exclude(const ChosenValues& choices);
   /// The last solution does not count as one that came: another is drawn in its place. It still does not come
   /// again.
   void pass_over() { passed_over_ = true; }
   /// Explores every path. Throws as next(), and Interrupted.
-  void explore();
-  /// Whether each solution that is left has exactly the same probability.
+  void explore() override;
+  std::size_t graph_size() const override { return program_.graph().size(); }
+  EngineTimes times() const override { return program_.times(); }
+  /// Returns true if each solution that is left has exactly the same probability.
   bool exact() const { return !sampler_; }
-  /// Which explores and runs solutions.
-  TracingEngine& tracing() { return engine_; }
-  const TracingEngine& tracing() const { return engine_; }
+  /// Makes a known solution. Throws NotASolution and Interrupted.
+  Solution run(const ChosenValues& choices) { return program_.solution(program_.execution(choices)); }
 
  private:
   void prepare();
@@ -58,7 +58,7 @@ class UniformEngine : public Engine {
   std::uint64_t seed_;
   StopSignal stop_;
   UniformOptions uniform_;
-  TracingEngine engine_;
+  TracedProgram program_;
   std::optional<SolutionSpace> space_;  // once it is explored
   bool prepared_ = false;
   std::vector<std::vector<BitModel>> listed_;  // by part; none of free ones, nor of the rest

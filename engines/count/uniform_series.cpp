@@ -1,18 +1,21 @@
 #include "engines/count/uniform_series.h"
 
+#include "engines/resume.h"
+
 namespace solitaire {
 
-std::vector<Solution> UniformSeries::resume(const std::vector<KnownChoices>& earlier) {
-  std::vector<Solution> known = run_all(engine_.tracing(), earlier);
-  for (const KnownChoices& choices : earlier) engine_.exclude(choices);
-  for (const Solution& solution : known) results_.add(solution.execution);
+std::vector<Solution> UniformSeries::resume(const std::vector<ChosenValues>& earlier) {
+  std::vector<Solution> known =
+      run_all(earlier, [this](const ChosenValues& choices) { return engine_.run(choices); });
+  for (const ChosenValues& choices : earlier) engine_.exclude(choices);
+  for (const Solution& solution : known) results_.add(solution);
   return known;
 }
 
 std::optional<Solution> UniformSeries::next() {
   while (true) {
     std::optional<Solution> solution = engine_.next();
-    if (!solution || results_.add(solution->execution) || !distinct_results_) return solution;
+    if (!solution || results_.add(*solution) || !distinct_results_) return solution;
     ++alike_;
     engine_.pass_over();
   }

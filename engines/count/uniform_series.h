@@ -1,30 +1,33 @@
 #pragma once
 #include <atomic>
+#include <vector>
 
 #include "engines/count/uniform.h"
 #include "engines/distinct.h"
-#include "engines/solve/solution_source.h"
+#include "engines/solution_stream.h"
 
 namespace solitaire {
 
 /// The solutions that a UniformEngine draws, on request without those that look like earlier ones: then each
 /// look comes with a probability in proportion to the solutions that have it and are left.
-class UniformSeries : public SolutionSource {
+class UniformSeries : public SolutionStream,
+                      public Resumable,
+                      public Exploring,
+                      public CountingAlike,
+                      public Timed {
  public:
   UniformSeries(const Program& program, const ParamValues& params, const TracingOptions& tracing,
                 bool distinct_results, const UniformOptions& uniform = {})
       : engine_(program, params, tracing, uniform), distinct_results_(distinct_results) {}
 
-  std::vector<Solution> resume(const std::vector<KnownChoices>& earlier) override;
+  std::vector<Solution> resume(const std::vector<ChosenValues>& earlier) override;
   bool catch_up() override { return true; }
   void explore() override { engine_.explore(); }
   /// As UniformEngine::next.
   std::optional<Solution> next() override;
-  void on_improvement(std::function<void(const Solution&)>) override {}
-
   Ending ending() const override { return engine_.ending(); }
-  TracingEngine& engine() override { return engine_.tracing(); }
-  const TracingEngine& engine() const override { return engine_.tracing(); }
+  std::size_t graph_size() const override { return engine_.graph_size(); }
+  EngineTimes times() const override { return engine_.times(); }
   std::uint64_t alike() const override { return alike_; }
 
  private:

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 
+#include "engines/tuning.h"
+
 namespace solitaire {
 namespace {
 
-/// Trial cells are to have at most so many models on the average.
-constexpr std::size_t kInTrialCell = 10;
-
-/// That the trial cells have at most kInTrialCell models on the average, though for the number of parities it
-/// is kMostInCell, or twice as much with one parity less, and so on: by Cantelli's inequality, as the
-/// variance of their number is at most its mean.
+/// Bounds the probability that the trial cells have at most tuning::kModelsInTrialCell models on the average,
+/// though for the number of parities it should be kMostInCell, or twice as much with one parity less, and so
+/// on: by Cantelli's inequality, as the variance of their number is at most its mean.
 double mistrial(std::size_t cells) {
   double sum = 0;
   for (double mean = kMostInCell; mean < 1e12; mean *= 2) {
-    const double excess = mean - static_cast<double>(kInTrialCell);
+    const double excess = mean - static_cast<double>(tuning::kModelsInTrialCell);
     sum += mean / (mean + excess * excess * static_cast<double>(cells));
   }
   return sum;
@@ -26,9 +25,9 @@ class Trials {
   Trials(SpacePart& part, RandomStream& random, const StopSignal& stop)
       : part_(part), random_(random), stop_(stop) {}
 
-  /// Whether that many cells of so many parities have few models on the average.
+  /// Returns true if that many cells of so many parities have few models on the average.
   bool small(std::size_t parities, std::size_t cells) {
-    std::size_t left = cells * kInTrialCell + 1;
+    std::size_t left = cells * tuning::kModelsInTrialCell + 1;
     for (std::size_t i = 0; i < cells && left > 0; ++i)
       left -= part_.find(random_parities(random_, part_.bits(), parities), left, stop_).size();
     return left > 0;

@@ -9,7 +9,7 @@ namespace solitaire {
 /// "Near-Uniform Sampling of Combinatorial Spaces Using XOR Constraints", 2006).
 std::vector<XorConstraint> random_parities(RandomStream& random, std::size_t bits, std::size_t count);
 
-/// How many parities make cells of about 5 to 10 models: the average is more than kMostInCell with a
+/// Returns how many parities make cells of about 5 to 10 models: the average is more than kMostInCell with a
 /// probability of at most 1 - confidence. Throws Interrupted.
 std::uint32_t parities_for_cells(SpacePart& part, double confidence, RandomStream& random,
                                  const StopSignal& stop);
@@ -20,8 +20,7 @@ constexpr double kMostInCell = 18;
 /// A draw takes a random cell and one of kSlots numbers; if the cell has at most kSlots models, then the
 /// model of that number in it, and if there is none, it tries another cell. So every model is drawn with the
 /// same probability but for how often its cell is overfull. This is the scheme of Bellare, Goldreich and
-/// Petrank
-/// ("Uniform Generation of NP-Witnesses Using an NP-Oracle", 2000) with the hash functions of UniGen
+/// Petrank ("Uniform Generation of NP-Witnesses Using an NP-Oracle", 2000) with the hash functions of UniGen
 /// (Chakraborty, Fremont, Meel, Seshia and Vardi, "On Parallel Scalable Uniform SAT Witness Generation",
 /// 2015), whose bound, a factor of 1 + 6.84, is looser.
 ///
@@ -32,7 +31,7 @@ constexpr double kMostInCell = 18;
 class CellSampler {
  public:
   static constexpr std::size_t kSlots = 32;
-  /// Of the number of parities, over seeds: else the factor can be larger.
+  /// The probability, over seeds, that the number of parities is such that the factor holds.
   static constexpr double kConfidence = 0.95;
 
   /// Throws Interrupted.

@@ -1,5 +1,7 @@
 #include "engines/exhaustive/exhaustive.h"
 
+#include "engines/freeze.h"
+
 namespace solitaire {
 
 ExhaustiveEngine::ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits)
@@ -20,11 +22,7 @@ std::optional<Solution> ExhaustiveEngine::next() {
       Execution& execution = executor_.run(odometer_);
       if (execution.rejection) continue;
       add_texts(execution, program_, addresses_);
-      Solution solution;
-      solution.choices = execution.choices;
-      solution.answers = readable(solution.choices, addresses_);
-      solution.execution = std::move(execution);
-      return solution;
+      return solution_of(std::move(execution), addresses_);
     } catch (const Interrupted&) {
       ending_ = Ending::kStopped;
     }

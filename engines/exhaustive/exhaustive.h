@@ -1,6 +1,6 @@
 #pragma once
-#include "engines/engine.h"
 #include "engines/exhaustive/exhaustive_choices.h"
+#include "engines/solution_stream.h"
 #include "solitaire/run/evaluator.h"
 
 namespace solitaire {
@@ -8,14 +8,13 @@ namespace solitaire {
 /// Runs every execution of a program, one after the other, depth first over its choices: the definition of
 /// what the solutions are, and nothing cleverer. For programs whose executions can be counted, and for
 /// testing other engines.
-class ExhaustiveEngine : public Engine {
+class ExhaustiveEngine : public SolutionStream {
  public:
   ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits);
 
   std::optional<Solution> next() override;
   Ending ending() const override { return ending_; }
-  const AddressTable& addresses() const override { return addresses_; }
-  /// Executions run so far, solutions or not.
+  /// The number of executions run so far, solutions or not.
   std::uint64_t executions() const { return executions_; }
 
  private:

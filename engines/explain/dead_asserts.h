@@ -1,5 +1,5 @@
 #pragma once
-#include "engines/explain/condition_solver.h"
+#include "engines/solve/condition_solver.h"
 
 namespace solitaire {
 

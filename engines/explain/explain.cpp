@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "engines/solve/wide_choices.h"
+#include "engines/tuning.h"
 
 namespace solitaire {
 namespace {
@@ -41,20 +42,11 @@ bool minimize(ConditionSolver& solver, Conditions& members, const Conditions& fi
   return minimal;
 }
 
-Ending ending_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kFound:
-      return Ending::kExhausted;
-    case Outcome::kUnexplored:
-      return Ending::kUnexplored;
-    case Outcome::kWrapped:
-      return Ending::kWrapped;
-    case Outcome::kStopped:
-      return Ending::kStopped;
-    case Outcome::kNone:
-      break;
-  }
-  return Ending::kNone;
+/// Says why there is no further conflict when the question whether what is not explained yet can hold
+/// together came to this.
+Ending ending_after(Outcome outcome) {
+  if (outcome == Outcome::kFound) return Ending::kExhausted;
+  return outcome == Outcome::kNone ? Ending::kNone : ending_of(outcome);
 }
 
 }  // namespace
@@ -69,7 +61,7 @@ Explainer::Explainer(const Program& program, ParamValues params, const TracingOp
 std::optional<Conflict> Explainer::next_conflict() {
   if (ending_ != Ending::kNone) return std::nullopt;
   const auto unexplained = [this](const Condition& each) { return explained_.count(each) == 0; };
-  ending_ = ending_of(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kMistakes));
+  ending_ = ending_after(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kMistakes));
   if (ending_ != Ending::kNone) return std::nullopt;
   Conditions members = solver_.core();
   const bool minimal = minimize(solver_, members, {});
@@ -86,7 +78,7 @@ std::optional<Conflict> Explainer::next_conflict() {
 /// allow that.
 std::optional<Explainer::Freedom> Explainer::choices_below(const Conditions& members) {
   for (const std::int64_t reach :
-       {2 * std::min(largest_constant(solver_.graph()), WideChoices::kMost), WideChoices::kLeast}) {
+       {2 * std::min(largest_constant(solver_.graph()), tuning::kMostReach), tuning::kLeastReach}) {
     WideChoices choices(nullptr, reach, pins_);
     ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
     if (wide.inexpressible() > solver_.inexpressible()) continue;

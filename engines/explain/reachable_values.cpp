@@ -1,20 +1,14 @@
 #include "engines/explain/reachable_values.h"
 
 #include <algorithm>
+#include <unordered_map>
+
+#include "engines/tuning.h"
 
 namespace solitaire {
 namespace {
 
 using Outcome = ExecutionSolver::Outcome;
-
-/// Of a choice with more values only the ends are looked for.
-constexpr std::uint64_t kMostListed = 256;
-/// Different solutions that are looked at before single values are asked for.
-constexpr std::uint64_t kSamples = 16;
-
-std::uint64_t size_of(const Distribution& domain) {
-  return static_cast<std::uint64_t>((domain.hi - domain.lo) / domain.step) + 1;
-}
 
 class Survey {
  public:
@@ -26,7 +20,7 @@ class Survey {
                 [](const TraceAssert&) { return true; }) {}
 
   void run(const std::function<void(const ReachableValues&)>& told) {
-    for (std::uint64_t i = 0; i < kSamples; ++i) {
+    for (std::uint64_t i = 0; i < tuning::kSamplesOfValues; ++i) {
       solver_.suggest_random_values(i);
       if (!find([] { return kTrue; })) break;
     }
@@ -52,8 +46,9 @@ class Survey {
       return nodes;
     });
     if (last_ != Outcome::kFound) return false;
-    for (const auto& [address, answer] : solver_.answers())
-      found_[index_.at(address)].values.insert(answer.second);
+    Assignment assignment = solver_.assignment();
+    for (const auto& [address, value] : solver_.met(assignment).values)
+      found_[index_.at(address)].values.insert(value.as_int());
     return true;
   }
 
@@ -67,11 +62,11 @@ class Survey {
       Distribution& domain = found_[it->second].domain;
       domain.lo = std::min(domain.lo, choice.domain.lo);
       domain.hi = std::max(domain.hi, choice.domain.hi);
-      found_[it->second].listed = size_of(domain) <= kMostListed;
+      found_[it->second].listed = domain.size() <= tuning::kMostValuesListed;
     }
   }
 
-  /// Whether the choice is met with a value for which that is so.
+  /// Returns the condition that the choice is met with a value for which `so` holds.
   NodeId with_value(std::size_t number, const std::function<NodeId(NodeId variable)>& so) {
     NodeId any = kFalse;
     for (const TraceChoice& choice : solver_.trace().choices) {
@@ -90,7 +85,7 @@ class Survey {
       }
       return all;
     };
-    while (found_[number].values.size() < size_of(found_[number].domain) &&
+    while (found_[number].values.size() < found_[number].domain.size() &&
            find([&] { return with_value(number, another); })) {
     }
     note_limit(number);
@@ -136,7 +131,7 @@ class Survey {
 }  // namespace
 
 bool ReachableValues::restricted() const {
-  if (listed) return values.size() < size_of(domain);
+  if (listed) return values.size() < domain.size();
   return values.empty() || *values.begin() > domain.lo || *values.rbegin() < domain.hi;
 }
 

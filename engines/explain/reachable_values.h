@@ -14,7 +14,7 @@ struct ReachableValues {
   bool listed = true;             // whether `values` is all of them
   bool pinned = false;
   bool complete = true;  // whether no limit came first
-  /// Whether some value of the domain never occurs.
+  /// Returns true if some value of the domain never occurs.
   bool restricted() const;
 };
 

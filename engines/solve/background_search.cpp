@@ -14,7 +14,7 @@ TracingOptions choices_only(TracingOptions options, const StopSignal& stop) {
 }  // namespace
 
 BackgroundSearch::BackgroundSearch(std::shared_ptr<const OwnProgram> program, const TracingOptions& options,
-                                   std::uint64_t first, std::vector<KnownChoices> known, std::size_t wanted)
+                                   std::uint64_t first, std::vector<ChosenValues> known, std::size_t wanted)
     : program_(std::move(program)),
       options_(choices_only(options, stop_)),
       whole_(options.limits.stop),
@@ -32,7 +32,7 @@ BackgroundSearch::~BackgroundSearch() {
 void BackgroundSearch::run() {
   try {
     TracingEngine engine(program_->program, program_->params, options_, first_);
-    for (const KnownChoices& known : known_) engine.exclude(known);
+    for (const ChosenValues& known : known_) engine.exclude(known);
     while (wait_until_wanted()) {
       const std::optional<Solution> solution = engine.next();
       std::unique_lock lock(mutex_);
@@ -42,7 +42,7 @@ void BackgroundSearch::run() {
         lock.unlock();
         return finish(engine.ending(), nullptr);
       }
-      found_.push_back(solution->answers);
+      found_.push_back(solution->choices);
       changed_.notify_all();
     }
     finish(Ending::kStopped, nullptr);
@@ -64,7 +64,7 @@ void BackgroundSearch::finish(Ending ending, std::exception_ptr error) {
 /// Signals wake nobody, so they are looked at now and then.
 constexpr std::chrono::milliseconds kLook{20};
 
-TracingTimes BackgroundSearch::times() const {
+EngineTimes BackgroundSearch::times() const {
   const std::lock_guard lock(mutex_);
   return times_;
 }
@@ -75,7 +75,7 @@ bool BackgroundSearch::wait_until_wanted() {
   return !stop_.stopped();
 }
 
-std::optional<KnownChoices> BackgroundSearch::next() {
+std::optional<ChosenValues> BackgroundSearch::next() {
   std::unique_lock lock(mutex_);
   wanted_ = std::max(wanted_, taken_ + 1);
   changed_.notify_all();
@@ -90,7 +90,7 @@ std::optional<KnownChoices> BackgroundSearch::next() {
     if (error_) std::rethrow_exception(error_);
     return std::nullopt;
   }
-  KnownChoices next = std::move(found_.front());
+  ChosenValues next = std::move(found_.front());
   found_.pop_front();
   ++taken_;
   return next;

@@ -1,15 +1,20 @@
 #pragma once
 #include <condition_variable>
 #include <deque>
+#include <exception>
+#include <memory>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 #include "base/large_stack.h"
 #include "engines/solve/tracing.h"
+#include "solitaire/names/program.h"
 
 namespace solitaire {
 
-/// A program of one's own. Values count who holds them without regard to other threads, so that no two of
-/// these may share any.
+/// A program that one thread has for itself. Values count who holds them without regard to other threads, so
+/// no two of these may share any.
 struct OwnProgram {
   Program program;
   ParamValues params;
@@ -20,14 +25,14 @@ class BackgroundSearch {
  public:
   /// Looks for solutions beside the known ones, `wanted` of them and then as many as next() asks for.
   BackgroundSearch(std::shared_ptr<const OwnProgram> program, const TracingOptions& options,
-                   std::uint64_t first, std::vector<KnownChoices> known, std::size_t wanted);
+                   std::uint64_t first, std::vector<ChosenValues> known, std::size_t wanted);
   ~BackgroundSearch();
 
   /// The next solution, or nothing: then ending() says why. Throws what the engine threw.
-  std::optional<KnownChoices> next();
+  std::optional<ChosenValues> next();
   Ending ending() const { return ending_; }
-  /// As of the last solution that it found.
-  TracingTimes times() const;
+  /// The times up to the last solution that it found.
+  EngineTimes times() const;
   const std::shared_ptr<const OwnProgram>& program() const { return program_; }
 
  private:
@@ -40,12 +45,12 @@ class BackgroundSearch {
   const StopSignal* whole_;
   StopSignal stop_;
   std::uint64_t first_;
-  std::vector<KnownChoices> known_;
+  std::vector<ChosenValues> known_;
 
   mutable std::mutex mutex_;  // of what follows
   std::condition_variable changed_;
-  std::deque<KnownChoices> found_;
-  TracingTimes times_;
+  std::deque<ChosenValues> found_;
+  EngineTimes times_;
   std::size_t taken_ = 0;
   std::size_t wanted_;
   bool over_ = false;

@@ -1,36 +1,13 @@
 #include "engines/solve/execution_solver.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_set>
 
+#include "engines/errors.h"
 #include "engines/random_choices.h"
-#include "smt/nearby_then_cadical.h"
-#include "smt/sat/cadical_solver.h"
-#include "smt/z3/z3_solver.h"
 
 namespace solitaire {
-namespace {
-
-/// The dissertation's "all values represented as 16-bit integers" (section 4.2.1).
-constexpr unsigned kThesisWidth = 16;
-
-std::unique_ptr<Solver> make_solver(const Graph& graph, const AddressTable& addresses,
-                                    const TracingOptions& options, std::uint64_t seed) {
-  switch (options.backend) {
-    case Backend::kCadical:
-      break;
-    case Backend::kZ3:
-      return make_z3_solver(graph, addresses, {seed, options.diverse});
-    case Backend::kThesis:
-      if (options.exploration.policy != Exploration::Policy::kRandom)
-        throw std::logic_error("the dissertation's engine explores at random");
-      return make_z3_solver(graph, addresses, {seed, false, true, kThesisWidth});
-  }
-  if (options.diverse) return make_nearby_then_cadical(graph, {seed, options.far_apart});
-  return make_cadical_solver(graph, seed);
-}
-
-}  // namespace
 
 ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, const TracingOptions& options,
                                  Choices& choices, Graph& graph, AddressTable& addresses, Firm firm,
@@ -41,9 +18,12 @@ ExecutionSolver::ExecutionSolver(const Program& program, ParamValues params, con
       firm_(std::move(firm)),
       explorer_(program, std::move(params), options.exploration, options.seed, options.limits, choices, graph,
                 addresses) {
+  const SearchMethod& method = *options.method;
+  if (method.asserts_closed_sides() && options.exploration.policy != Exploration::Policy::kRandom)
+    throw std::logic_error("a method that asserts closed sides explores at random");
   if (options_.limits.stop == nullptr) options_.limits.stop = &never_;
-  const std::uint64_t solver_seed = RandomStream(options.seed, Purpose::kSolver, stream).next();
-  solver_ = make_solver(graph_, addresses_, options_, solver_seed);
+  const std::uint64_t seed = RandomStream(options.seed, Purpose::kSolver, stream).next();
+  solver_ = method.make_solver(graph_, addresses_, {seed, options.diverse, options.far_apart});
   if (options.effort > 0) solver_->limit_effort(options.effort);
 }
 
@@ -68,18 +48,17 @@ void ExecutionSolver::sync() {
     const NodeId required = graph_.implication(condition.guard, condition.condition);
     if (required != kTrue && required_.insert(required.index).second) solver_->add_clause({&required, 1});
   }
-  if (!asserts_closed_sides()) return;
-  for (const TraceBlocker& blocker : trace().blockers) {
-    const NodeId closed = graph_.negation(blocker.guard);
-    solver_->add_clause({&closed, 1});
-  }
+  if (!options_.method->asserts_closed_sides()) return;
+  for (const TraceBlocker& blocker : trace().blockers) require(graph_.negation(blocker.guard));
 }
 
 void ExecutionSolver::suggest_random_values(std::uint64_t index) {
   RandomChoices random(RandomStream(options_.seed, Purpose::kSuggest, index));
   for (std::size_t i = 0; i < graph_.variables().size(); ++i) {
     const ChoiceVariable& variable = graph_.variables()[i];
-    if (!solver_->suggest(i, random.answer(variable.address, variable.domain)->as_int())) return;
+    const TypedScalar value = *random.answer(variable.address, variable.domain);
+    if (!variable.domain.is_finite()) continue;
+    if (!solver_->suggest(i, value.as_int())) return;
   }
 }
 
@@ -91,7 +70,7 @@ NodeId ExecutionSolver::unexplored() {
 
 std::vector<NodeId> ExecutionSolver::closed_sides(Ends ends) const {
   std::vector<NodeId> closed;
-  if (asserts_closed_sides()) return closed;
+  if (options_.method->asserts_closed_sides()) return closed;
   for (const TraceBlocker& blocker : trace().blockers) {
     if (ends == Ends::kMistakesAndCuts && blocker.side.kind == BranchSide::Kind::kCut) continue;
     closed.push_back(graph_.negation(blocker.guard));
@@ -122,7 +101,7 @@ ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions, End
     if (outcome != Outcome::kNone) return outcome;
     const std::vector<std::size_t> in_the_way = blockers_in_core();
     if (in_the_way.empty()) {
-      if (asserts_closed_sides() && !trace().blockers.empty()) return Outcome::kUnexplored;
+      if (options_.method->asserts_closed_sides() && !trace().blockers.empty()) return Outcome::kUnexplored;
       return solver_->exact() ? Outcome::kNone : Outcome::kWrapped;
     }
     try {
@@ -197,27 +176,38 @@ Assignment ExecutionSolver::assignment() {
   return Assignment(graph_, [this](std::size_t variable) { return Scalar::of(solver_->value(variable)); });
 }
 
-Answers ExecutionSolver::answers() {
-  Assignment model = assignment();
-  return answers(model);
-}
-
-Answers ExecutionSolver::answers(Assignment& assignment, bool* complete) const {
-  Answers answers;
+TracedChoices ExecutionSolver::met(Assignment& assignment) const {
+  std::map<AddressId, NodeId> variables;
+  TracedChoices met;
   for (const TraceChoice& choice : trace().choices) {
     if (!assignment.holds(choice.guard)) continue;
-    const bool added =
-        answers.try_emplace(choice.address, choice.variable, assignment.value(choice.variable)->i).second;
+    const TypedScalar value(choice.domain.type(), *assignment.value(choice.variable));
+    const bool added = met.values.emplace(choice.address, value).second;
     if (!added)
       throw InternalError("two choices of one execution share the address " +
                           addresses_.text(choice.address));
+    variables.emplace(choice.address, choice.variable);
   }
-  if (complete != nullptr) {
-    const auto& blockers = trace().blockers;
-    *complete = std::none_of(blockers.begin(), blockers.end(),
-                             [&](const TraceBlocker& blocker) { return assignment.holds(blocker.guard); });
+  for (const auto& [address, variable] : variables) met.variables.push_back(variable);
+  met.complete = std::ranges::none_of(
+      trace().blockers, [&](const TraceBlocker& blocker) { return assignment.holds(blocker.guard); });
+  return met;
+}
+
+Ending ending_of(ExecutionSolver::Outcome outcome) {
+  switch (outcome) {
+    case ExecutionSolver::Outcome::kFound:
+      return Ending::kNone;
+    case ExecutionSolver::Outcome::kNone:
+      return Ending::kExhausted;
+    case ExecutionSolver::Outcome::kUnexplored:
+      return Ending::kUnexplored;
+    case ExecutionSolver::Outcome::kWrapped:
+      return Ending::kWrapped;
+    case ExecutionSolver::Outcome::kStopped:
+      break;
   }
-  return answers;
+  return Ending::kStopped;
 }
 
 }  // namespace solitaire

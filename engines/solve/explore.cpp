@@ -1,14 +1,13 @@
 #include "engines/solve/explore.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "base/hash.h"
 #include "engines/random_choices.h"
 
 namespace solitaire {
 namespace {
-
-constexpr std::uint32_t kMostLevels = 1U << 20;
 
 struct SideHash {
   std::size_t operator()(const BranchSide& side) const {
@@ -70,7 +69,8 @@ void Explorer::start() {
     granted_.fuel_depth = limits_.max_depth;
     return run_pass();
   }
-  for (std::uint32_t levels = exploration_.levels; levels <= kMostLevels; levels *= 4) {
+  for (std::uint32_t levels = exploration_.levels; levels <= tuning::kMostLevels;
+       levels *= tuning::kLevelGrowth) {
     sides_->levels = levels;
     run_pass();
     if (pass_.trace.blockers.empty() || sides_->unasked >= sides_->most_unasked) return;
@@ -110,13 +110,13 @@ bool Explorer::open(const std::vector<std::size_t>& blockers) {
     levels = std::max(levels, grant_);
   }
   if (cut) {
-    granted_.fuel_steps = std::min(granted_.fuel_steps * 4, limits_.max_steps);
+    granted_.fuel_steps = std::min(granted_.fuel_steps * tuning::kFuelGrowth, limits_.max_steps);
     granted_.fuel_depth = static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(std::uint64_t{granted_.fuel_depth} * 4, limits_.max_depth));
+        std::min<std::uint64_t>(std::uint64_t{granted_.fuel_depth} * tuning::kFuelGrowth, limits_.max_depth));
     if (granted_.fuel_steps == limits_.max_steps) granted_.fuel_steps = UINT64_MAX;
     if (granted_.fuel_depth == limits_.max_depth) granted_.fuel_depth = UINT32_MAX;
   }
-  if (closed) grant_ = std::min(grant_ * 2, kMostLevels);
+  if (closed) grant_ = std::min(grant_ * 2, tuning::kMostLevels);
   run_pass();
   return true;
 }

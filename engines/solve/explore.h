@@ -1,7 +1,9 @@
 #pragma once
 #include <memory>
-#include <unordered_map>
+#include <vector>
 
+#include "engines/tuning.h"
+#include "solitaire/run/choices.h"
 #include "solitaire/run/evaluator.h"
 
 namespace solitaire {
@@ -12,24 +14,23 @@ struct Exploration {
   Policy policy = Policy::kDemand;
   std::uint64_t executions = 0;  // kRandom: how many random executions open the sides that they take
 
-  // kDemand: what the first passes may open without being asked, which is enough for most programs to be
-  // covered at once and little enough to take well under a second; and the fuel of paths that only some
+  // kDemand: what the first passes may open without being asked, and the fuel of paths that only some
   // executions take.
-  std::size_t unasked_sides = 4000;
-  std::uint32_t levels = 4;  // of the first pass; at least 1
-  std::uint32_t grant = 8;   // levels that come with the first sides that are opened because asked for
-  std::uint64_t fuel_steps = 100'000;  // at least 1, as fuel_depth
-  std::uint32_t fuel_depth = 200;
+  std::size_t unasked_sides = tuning::kUnaskedSides;
+  std::uint32_t levels = tuning::kFirstLevels;    // of the first pass; at least 1
+  std::uint32_t grant = tuning::kFirstGrant;      // levels that come with the first sides asked for
+  std::uint64_t fuel_steps = tuning::kFuelSteps;  // at least 1
+  std::uint32_t fuel_depth = tuning::kFuelDepth;  // at least 1
 };
 
 /// Grows the trace graph of a program: passes over a growing set of open branch sides. The dissertation's
 /// TraceExplore (section 4.3.1), made simpler: the graph is hash-consed, so a pass finds the nodes of the
 /// passes before it.
 ///
-/// Demand: the first passes open one, two, four, ... levels of undecided branches, up to a budget. Afterwards
-/// sides are opened that stood in the way of a solution, and with each of them twice as many levels below as
-/// the time before. Random (the dissertation's policy): the sides that random executions take are open, and
-/// no others.
+/// Demand: the first passes open a few levels of undecided branches, each four times as many as the one
+/// before, up to a budget. Afterwards sides are opened that stood in the way of a solution, and with each of
+/// them twice as many levels below as the time before. Random (the dissertation's policy): the sides that
+/// random executions take are open, and no others.
 class Explorer {
  public:
   /// `choices` answers what is not to be left open.
@@ -41,8 +42,8 @@ class Explorer {
   const SymbolicPass& pass() const { return pass_; }
   /// Runs the first passes.
   void start();
-  /// Opens what these blockers of the newest pass closed, and runs a pass. False if the policy does not allow
-  /// it.
+  /// Opens what these blockers of the newest pass closed, and runs a pass. Returns false if the policy does
+  /// not allow it.
   bool open(const std::vector<std::size_t>& blockers);
   std::size_t passes() const { return passes_; }
 

@@ -1,9 +1,11 @@
 #include "engines/solve/min_distance.h"
 
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <vector>
 
-#include "engines/count/sums.h"
+#include "engines/solve/sums.h"
 
 namespace solitaire {
 namespace {
@@ -28,15 +30,15 @@ bool DistanceBound::reached(const Overlap& overlap) const {
   return whole * static_cast<std::int64_t>(overlap.shared) <= (whole - part) * all;
 }
 
-NodeId far_from(Graph& graph, const Trace& trace, const ChoiceValues& solution, const DistanceBound& bound) {
-  // Of each address: of the solution's, whether an execution has that value there; of others, whether it
-  // comes there.
+NodeId far_from(Graph& graph, const Trace& trace, const Valuation& solution, const DistanceBound& bound) {
+  // By address: the condition that an execution has the solution's value there, for addresses of the
+  // solution; and the condition that an execution comes there, for other addresses.
   std::map<AddressId, NodeId> shared, extra;
   for (const TraceChoice& choice : trace.choices) {
     const auto known = solution.find(choice.address);
     NodeId condition = choice.guard;
     if (known != solution.end()) {
-      const NodeId equal = graph.apply(Op::kEqInt, {choice.variable, graph.constant(known->second)});
+      const NodeId equal = graph.apply(Op::kEqInt, {choice.variable, graph.constant(known->second.as_int())});
       condition = graph.conjunction(condition, equal);
     }
     auto& conditions = known == solution.end() ? extra : shared;

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "engines/count/sums.h"
+#include "engines/solve/sums.h"
 
 namespace solitaire {
 namespace {

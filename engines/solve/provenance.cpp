@@ -1,60 +1,79 @@
-// Which choices decide where a placed thing stands and what it is, and whether an assert is broken: those in
-// the cone of the nodes that these depend on.
-#include <algorithm>
+#include "engines/solve/provenance.h"
 
-#include "engines/solve/wide_trace.h"
+#include <algorithm>
+#include <unordered_map>
+
+#include "engines/solve/condition_solver.h"
+#include "engines/solve/wide_choices.h"
+#include "engines/tuning.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
 
-void TracingEngine::add_object_choices(Solution& solution) {
-  std::unordered_map<std::string, Placement*> placements;
-  for (Placement& placement : solution.execution.placements)
-    placements.emplace(placement.address, &placement);
-  if (placements.empty()) return;
-  std::unordered_map<AddressId, const MetChoice*> met;
-  for (const MetChoice& choice : solution.choices) met.emplace(choice.address, &choice);
+/// A trace in which choices may lie outside of their ranges. Within them, intervals can decide a condition,
+/// and then no node tells any more on which choices it depends.
+class Provenance::WideTrace {
+ public:
+  WideTrace(const Program& program, const ParamValues& params, const TracingOptions& options, Pins& pins,
+            AddressTable& addresses)
+      : choices_(nullptr, tuning::kProvenanceReach, pins),
+        solver_(program, params, options.exact(), choices_, addresses, pins) {}
 
+  std::set<AddressId> choices_below(const Condition& condition) { return solver_.choices_below({condition}); }
+
+ private:
+  WideChoices choices_;
+  ConditionSolver solver_;
+};
+
+Provenance::Provenance(const Program& program, const ParamValues& params, const TracingOptions& options,
+                       Pins& pins, ExecutionSolver& solver)
+    : program_(program), params_(params), options_(options), pins_(pins), solver_(solver) {}
+
+Provenance::~Provenance() = default;
+
+void Provenance::add_object_choices(Solution& solution) {
+  if (solution.placements.empty()) return;
+  std::unordered_map<std::string, PlacedObject*> objects;
+  for (PlacedObject& object : solution.placements) objects.emplace(object.address, &object);
+  std::unordered_map<std::string, const ChosenValue*> met;
+  for (const ChosenValue& choice : solution.choices) met.emplace(choice.address, &choice);
+
+  const AddressTable& addresses = solver_.addresses();
   for (const TracePlaced& placed : solver_.trace().placed) {
-    const auto placement = placements.find(addresses_.text(placed.address));
-    if (placement == placements.end()) continue;
-    std::vector<AnsweredChoice>& choices = placement->second->choices;
-    for (const std::size_t number : variables_below(graph_, placed.depends)) {
-      const AddressId address = graph_.variables()[number].address;
-      const auto choice = met.find(address);
+    const auto object = objects.find(addresses.text(placed.address));
+    if (object == objects.end()) continue;
+    ChosenValues& choices = object->second->choices;
+    for (const std::size_t number : variables_below(solver_.graph(), placed.depends)) {
+      const auto choice = met.find(addresses.text(solver_.graph().variables()[number].address));
       if (choice == met.end()) continue;  // of a path that this execution does not take
-      const bool known = std::any_of(choices.begin(), choices.end(), [&](const AnsweredChoice& other) {
-        return other.address == addresses_.text(address);
-      });
-      if (!known)
-        choices.push_back({addresses_.text(address), choice->second->domain.family, choice->second->value});
+      if (std::ranges::find(choices, *choice->second) == choices.end()) choices.push_back(*choice->second);
     }
   }
 }
 
-/// Of asserts that a solution breaks.
-void TracingEngine::add_broken_choices(Solution& solution) {
-  for (Rejection& broken : solution.execution.broken) {
+void Provenance::add_broken_choices(Solution& solution) {
+  for (BrokenAssert& broken : solution.broken) {
     std::set<std::string> choices;
     for (const TraceAssert& part : solver_.trace().asserts) {
-      if (part.span != broken.span || addresses_.text(part.address) != broken.address) continue;
-      choices.merge(choices_below(part));
+      if (part.span == broken.span && solver_.addresses().text(part.address) == broken.address)
+        choices.merge(choices_below(part));
     }
     broken.choices.assign(choices.begin(), choices.end());
   }
 }
 
-/// The addresses of the choices that an assert depends on.
-std::set<std::string> TracingEngine::choices_below(const TraceAssert& part) {
-  std::set<std::string> addresses;
-  for (const std::size_t number : variables_below(graph_, {&part.condition, 1}))
-    addresses.insert(addresses_.text(graph_.variables()[number].address));
-  if (!addresses.empty()) return addresses;
-  if (!wide_) wide_ = std::make_unique<WideTrace>(*this);
+/// Returns the addresses of the choices that an assert depends on.
+std::set<std::string> Provenance::choices_below(const TraceAssert& part) {
+  AddressTable& addresses = solver_.addresses();
+  std::set<std::string> below;
+  for (const std::size_t number : variables_below(solver_.graph(), {&part.condition, 1}))
+    below.insert(addresses.text(solver_.graph().variables()[number].address));
+  if (!below.empty()) return below;
+  if (!wide_) wide_ = std::make_unique<WideTrace>(program_, params_, options_, pins_, addresses);
   const Condition condition{part.requirement, part.address, part.span, part.whole, "", nullptr, {}};
-  for (const AddressId address : wide_->solver.choices_below({condition}))
-    addresses.insert(addresses_.text(address));
-  return addresses;
+  for (const AddressId address : wide_->choices_below(condition)) below.insert(addresses.text(address));
+  return below;
 }
 
 }  // namespace solitaire

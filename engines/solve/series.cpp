@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 #include <system_error>
 
+#include "engines/resume.h"
+#include "engines/tuning.h"
+
 namespace solitaire {
 namespace {
 
-/// A block does not know what is found in so many blocks before it.
-constexpr std::size_t kUnknownBlocks = 7;
-
-/// The choices as text, by which they are told apart. The kinds are not written down everywhere.
-std::string key(const KnownChoices& choices) {
+/// Returns the choices as text, by which they are told apart.
+std::string key(const ChosenValues& choices) {
   std::string text;
-  for (const AnsweredChoice& choice : choices)
+  for (const ChosenValue& choice : choices)
     text += fmt::format("{}={}\n", choice.address, to_text(choice.value));
   return text;
 }
@@ -32,7 +32,7 @@ void Series::explore() {
   if (manner_ != Manner::kUnknown) return;
   if (!tracing_.diverse) {
     manner_ = Manner::kEnumeration;
-  } else if (tracing_.relax || tracing_.min_distance.any() || !engine_->pass().trace.wishes.empty()) {
+  } else if (tracing_.relax || tracing_.min_distance.any() || !engine_->traced().trace().wishes.empty()) {
     manner_ = Manner::kBestFirst;
   } else {
     manner_ = Manner::kBlocks;
@@ -44,30 +44,30 @@ void Series::explore() {
 /// Small blocks first, so that few solutions, too, are found side by side. Then few enough blocks that the
 /// search does not mainly start.
 std::size_t Series::size(std::size_t number, std::size_t start) const {
-  constexpr std::size_t kUsual = 32;
+  using namespace tuning;
   switch (manner_) {
     case Manner::kUnknown:
     case Manner::kEnumeration:
       return SIZE_MAX;
     case Manner::kBestFirst:
-      return std::max(kUsual, start / 4);
+      return std::max(kUsualBlock, start / kBestFirstBlockShare);
     case Manner::kBlocks:
       break;
   }
-  if (number < 3) return std::size_t{4} << number;
-  return std::max(kUsual, start / 8);
+  if (number < kSmallBlocks) return kFirstBlock << number;
+  return std::max(kUsualBlock, start / kBlockShare);
 }
 
 Series::Block Series::block_after(const Block& block) const {
   return {block.number + 1, block.end, block.end + size(block.number + 1, block.end)};
 }
 
-/// How many of the first solutions the engine of a block knows.
+/// Returns how many of the first solutions the engine of a block knows.
 std::size_t Series::known_to(const Block& block) const {
   if (manner_ != Manner::kBlocks) return block.start;
-  if (block.number <= kUnknownBlocks) return 0;
+  if (block.number <= tuning::kUnknownBlocks) return 0;
   Block last{0, 0, size(0, 0)};
-  while (last.number + kUnknownBlocks + 1 < block.number) last = block_after(last);
+  while (last.number + tuning::kUnknownBlocks + 1 < block.number) last = block_after(last);
   return last.end;
 }
 
@@ -87,17 +87,18 @@ void Series::start(const Block& block) {
   }
 }
 
-/// Where there is more than one block to work on.
+/// Returns true if there is more than one block to work on, and workers for them.
 bool Series::in_background() const {
   return manner_ == Manner::kBlocks && options_.workers.size() > 1 &&
          (options_.most == 0 || options_.most > size(0, 0));
 }
 
-/// As many as there are workers, of the blocks from the present one on. Where there are no threads for them,
-/// fewer have to do, or the thread that asks does all.
+/// Starts as many searches as there are workers, of the blocks from the present one on. Where there are no
+/// threads for them, fewer have to do, or the thread that asks does all.
 void Series::start_searches() {
   try {
-    while (in_background() && searches_.size() < std::min(options_.workers.size(), kUnknownBlocks + 1)) {
+    while (in_background() &&
+           searches_.size() < std::min(options_.workers.size(), tuning::kUnknownBlocks + 1)) {
       const Block block = searches_.empty() ? block_ : block_after(searches_.back().first);
       const bool needed = options_.most == 0 || block.start < options_.most || searches_.empty();
       if (!needed) return;
@@ -122,9 +123,10 @@ std::unique_ptr<BackgroundSearch> Series::search(const Block& block) const {
       *idle, tracing_, block.start, std::vector(solutions_.begin(), known), end - std::min(end, block.start));
 }
 
-std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
+std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {
   explore();
-  std::vector<Solution> known = run_all(*engine_, earlier);
+  std::vector<Solution> known =
+      run_all(earlier, [this](const ChosenValues& choices) { return engine_->run(choices); });
   Block block{0, 0, size(0, 0)};
   while (block.end <= earlier.size()) block = block_after(block);
   for (std::size_t i = 0; i < block.start; ++i) remember(known[i]);
@@ -141,9 +143,9 @@ std::vector<Solution> Series::resume(const std::vector<KnownChoices>& earlier) {
 }
 
 void Series::remember(const Solution& solution) {
-  solutions_.push_back(solution.answers);
-  choices_.insert(key(solution.answers));
-  if (options_.distinct_results) results_.add(solution.execution);
+  solutions_.push_back(solution.choices);
+  choices_.insert(key(solution.choices));
+  if (options_.distinct_results) results_.add(solution);
 }
 
 std::optional<Solution> Series::next() {
@@ -158,15 +160,15 @@ bool Series::catch_up() {
   while (!to_repeat_.empty()) {
     const std::optional<Solution> solution = next_new();
     if (!solution && ending_ == Ending::kStopped) return false;
-    if (solution && key(solution->answers) == key(to_repeat_.front())) {
+    if (solution && key(solution->choices) == key(to_repeat_.front())) {
       to_repeat_.pop_front();
       continue;
     }
     if (solution) {
       solutions_.pop_back();
-      choices_.erase(key(solution->answers));
+      choices_.erase(key(solution->choices));
     }
-    for (const KnownChoices& choices : std::exchange(to_repeat_, {})) remember(engine_->run(choices));
+    for (const ChosenValues& choices : std::exchange(to_repeat_, {})) remember(engine_->run(choices));
     ending_ = Ending::kNone;
     manner_ = Manner::kBestFirst;  // each block knows all before it
     searches_.clear();
@@ -180,13 +182,13 @@ std::optional<Solution> Series::next_new() {
     if (solutions_.size() >= block_.end) start(block_after(block_));
     std::optional<Solution> solution = next_of_block();
     if (!solution) return solution;
-    if (!choices_.insert(key(solution->answers)).second) continue;  // another block found it
-    if (options_.distinct_results && !results_.add(solution->execution)) {
+    if (!choices_.insert(key(solution->choices)).second) continue;  // another block found it
+    if (options_.distinct_results && !results_.add(*solution)) {
       ++alike_;
       continue;
     }
-    solutions_.push_back(solution->answers);
-    engine_->keep_away_from(solution->answers);
+    solutions_.push_back(solution->choices);
+    engine_->keep_away_from(solution->choices);
     return solution;
   }
 }
@@ -198,27 +200,27 @@ std::optional<Solution> Series::next_of_block() {
     return solution;
   }
   BackgroundSearch& search = *searches_.front().second;
-  const std::optional<KnownChoices> choices = search.next();
+  const std::optional<ChosenValues> choices = search.next();
   ending_ = choices ? Ending::kNone : search.ending();
   if (!choices) return std::nullopt;
   return engine_->run(*choices);
 }
 
-TracingTimes Series::times() const {
-  TracingTimes times = past_times_;
+EngineTimes Series::times() const {
+  EngineTimes times = past_times_;
   times += engine_->times();
   for (const auto& [block, search] : searches_) times += search->times();
   return times;
 }
 
-TracingEngine& Series::engine_of_rest() {
-  if (manner_ != Manner::kBlocks) return *engine_;
+Formula Series::formula_of_rest() {
+  if (manner_ != Manner::kBlocks) return engine_->formula_of_rest();
   searches_.clear();
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, solutions_.size());
-  for (const KnownChoices& choices : solutions_) engine_->exclude(choices);
+  for (const ChosenValues& choices : solutions_) engine_->exclude(choices);
   if (ending_ == Ending::kExhausted) engine_->next();
-  engine_->check_mistakes();
-  return *engine_;
+  engine_->traced().check();
+  return engine_->formula_of_rest();
 }
 
 void Series::on_improvement(std::function<void(const Solution&)> told) {

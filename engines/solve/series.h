@@ -1,11 +1,16 @@
 #pragma once
 #include <atomic>
 #include <deque>
+#include <functional>
+#include <memory>
+#include <string>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "engines/distinct.h"
+#include "engines/solution_stream.h"
 #include "engines/solve/background_search.h"
-#include "engines/solve/solution_source.h"
 
 namespace solitaire {
 
@@ -23,13 +28,19 @@ struct SeriesOptions {
 /// too, is left out. A series that was interrupted repeats the search from the start of its block on.
 ///
 /// Where the best solutions come first, or none may be near another, a block has to know all before it, and
-/// one follows the other. Where
-/// all are gone through in order, there is one block.
-class Series : public SolutionSource {
+/// one follows the other. Where all are gone through in order, there is one block.
+class Series : public SolutionStream,
+               public Resumable,
+               public Improving,
+               public Exploring,
+               public WithFormula,
+               public CountingAlike,
+               public Timed,
+               public Threaded {
  public:
   Series(const Program& program, ParamValues params, const TracingOptions& tracing, SeriesOptions options);
 
-  std::vector<Solution> resume(const std::vector<KnownChoices>& earlier) override;
+  std::vector<Solution> resume(const std::vector<ChosenValues>& earlier) override;
   /// Finds again what came of the block in which the series was interrupted.
   bool catch_up() override;
   void explore() override;
@@ -38,10 +49,10 @@ class Series : public SolutionSource {
 
   bool has_threads() const override { return !searches_.empty(); }
   Ending ending() const override { return ending_; }
-  TracingTimes times() const override;
-  TracingEngine& engine() override { return *engine_; }
-  const TracingEngine& engine() const override { return *engine_; }
-  TracingEngine& engine_of_rest() override;
+  EngineTimes times() const override;
+  std::size_t graph_size() const override { return engine_->graph_size(); }
+  /// The formula of one engine that knows all solutions that came, and at the end that there are no others.
+  Formula formula_of_rest() override;
   std::uint64_t alike() const override { return alike_; }
 
  private:
@@ -70,14 +81,14 @@ class Series : public SolutionSource {
   Manner manner_ = Manner::kUnknown;
   std::unique_ptr<TracingEngine> engine_;  // of the block, if that is not worked on in the background
   std::deque<std::pair<Block, std::unique_ptr<BackgroundSearch>>>
-      searches_;             // the block's, and of the next ones
-  TracingTimes past_times_;  // of engines and searches that are over
+      searches_;            // the block's, and of the next ones
+  EngineTimes past_times_;  // of engines and searches that are over
   std::function<void(const Solution&)> told_;
   Block block_;
   DistinctResults results_;
   std::unordered_set<std::string> choices_;  // of all solutions
-  std::vector<KnownChoices> solutions_;
-  std::deque<KnownChoices> to_repeat_;  // of the block, came already
+  std::vector<ChosenValues> solutions_;
+  std::deque<ChosenValues> to_repeat_;  // of the block, came already
   std::atomic<std::uint64_t> alike_ = 0;
   Ending ending_ = Ending::kNone;
 };

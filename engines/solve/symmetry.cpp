@@ -8,24 +8,23 @@
 #include <numeric>
 #include <set>
 
+#include "engines/tuning.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
 namespace {
 
-/// Nodes that are looked at in all.
-constexpr std::size_t kMostNodes = 20'000'000;
-
-/// By variable: the one in whose place it stands.
+/// Maps each variable to the one in whose place it stands.
 using Renaming = std::vector<std::size_t>;
 
-/// Numbers for expressions that are the same up to the order of operands, and for conjunctions and
-/// disjunctions also up to how they are nested.
+/// Gives numbers to expressions: equal ones to those that are the same up to the order of operands, and for
+/// conjunctions and disjunctions also up to how they are nested.
 class Shapes {
  public:
   explicit Shapes(const Graph& graph) : graph_(graph) {}
 
-  /// Of all nodes, with the variables renamed. Operands have smaller numbers than what is made of them.
+  /// Returns the numbers of all nodes, with the variables renamed. Operands have smaller numbers than what is
+  /// made of them.
   std::vector<std::uint32_t> of_all(const Renaming& renaming) {
     std::vector<std::uint32_t> shapes;
     shapes.reserve(graph_.size());
@@ -71,7 +70,7 @@ class Shapes {
   std::vector<const Key*> keys_;  // by number
 };
 
-/// Whether all of the value is in its text.
+/// Returns true if all of the value is in its text.
 bool is_sayable(const Value& value) {
   const auto all = [](const std::vector<Value>& values) { return std::ranges::all_of(values, is_sayable); };
   if (const List* list = value.as_list()) return all(list->items);
@@ -84,7 +83,7 @@ bool is_sayable(const Value& value) {
   return !value.is_function();
 }
 
-/// How many of place()'s arguments decide what a thing looks like.
+/// The number of place()'s first arguments that decide what a thing looks like.
 constexpr std::size_t kLookArguments = 6;
 
 std::span<const Value> look_arguments(const SymbolicPlacement& placement) {
@@ -98,7 +97,7 @@ class Meaning {
   Meaning(const SymbolicPass& pass, const std::vector<NodeId>& conditions)
       : pass_(pass), conditions_(conditions) {}
 
-  /// Whether texts tell all that there is to it.
+  /// Returns true if texts tell all that there is to it.
   bool is_clear() const {
     const auto clear = [](const TracePlaced& placed, const SymbolicPass& pass) {
       return std::ranges::all_of(look_arguments(pass.placements[placed.number]), is_sayable);
@@ -130,10 +129,11 @@ class Meaning {
 
 /// The choices below one turn of a loop, by the rest of their addresses.
 using Row = std::map<std::string, std::size_t>;
-/// By turn.
+/// The rows of a loop, by turn.
 using Rows = std::map<std::uint32_t, Row>;
 
-/// By where the loop is: for each site in it, and for all sites below the same call together.
+/// Returns the rows of all loops, by where the loop is: for each site in it, and for all sites below the same
+/// call together.
 std::map<std::string, Rows> rows_of(const Graph& graph, const AddressTable& addresses) {
   std::map<std::string, Rows> all;
   for (std::size_t variable = 0; variable < graph.variables().size(); ++variable) {
@@ -179,7 +179,7 @@ Renaming renaming_of(const Graph& graph, const Swap& swap) {
   return renaming;
 }
 
-/// That the first variables come before the second ones, or are the same.
+/// Returns the condition that the first variables come before the second ones, or are the same.
 NodeId in_order(Graph& graph, const Swap& swap) {
   NodeId in_order = kTrue;
   for (auto pair = swap.rbegin(); pair != swap.rend(); ++pair) {
@@ -207,7 +207,7 @@ std::vector<NodeId> symmetry_breaking(Graph& graph, const AddressTable& addresse
       Swap swap = swap_of(graph, row->second, std::next(row)->second);
       if (swap.empty() || !tried.insert(swap).second) continue;
       looked_at += graph.size();
-      if (looked_at > kMostNodes) break;
+      if (looked_at > tuning::kMostNodesForSymmetry) break;
       if (texts(swap) == as_it_is) swaps.insert(std::move(swap));
     }
   }

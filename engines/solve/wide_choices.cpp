@@ -2,17 +2,19 @@
 
 #include <algorithm>
 
+#include "engines/tuning.h"
+
 namespace solitaire {
 
 Distribution WideChoices::widened(AddressId address, const Distribution& domain) {
-  constexpr std::int64_t kSpans = 4;
   if ((wide_ != nullptr && wide_->count(address) == 0) || domain.family != Distribution::Family::kRange)
     return domain;
-  const std::int64_t span = std::min(domain.hi - domain.lo + 1, kMost);
-  std::int64_t by = std::clamp(std::max(kSpans * span, reach_), kLeast, kMost);
+  const std::int64_t span = std::min(domain.hi - domain.lo + 1, tuning::kMostReach);
+  std::int64_t by =
+      std::clamp(std::max(tuning::kReachInSpans * span, reach_), tuning::kLeastReach, tuning::kMostReach);
   for (const Pin* pin : pins_.at(address)) {
     const std::int64_t distance = std::max(domain.lo - pin->value, pin->value - domain.hi);
-    if (distance <= kMost) by = std::max(by, distance);
+    if (distance <= tuning::kMostReach) by = std::max(by, distance);
   }
   return {domain.lo - by, domain.hi + by, 1, domain.family};
 }

@@ -5,16 +5,12 @@
 
 namespace solitaire {
 
-/// Leaves choices open, and those at some addresses, or all, free to have any value around their ranges: by
+/// Leaves choices open, and lets those at some addresses, or all, have any value around their ranges: by
 /// several times what they span, and by no less than a reach.
 class WideChoices : public Choices {
  public:
-  /// A reach that is not much.
-  static constexpr std::int64_t kLeast = 64;
-  /// Products of what lies further out would grow past 62 bits.
-  static constexpr std::int64_t kMost = std::int64_t{1} << 28;
-
-  /// `wide` null: all.
+  /// `wide` are the addresses of the choices that are free; null means all. The reach is at most
+  /// tuning::kMostReach.
   WideChoices(const std::set<AddressId>* wide, std::int64_t reach, Pins& pins)
       : wide_(wide), reach_(reach), pins_(pins) {}
 

@@ -1,5 +1,7 @@
 #include "engines/thesis/all_different.h"
 
+#include <map>
+
 namespace solitaire {
 namespace {
 
@@ -41,13 +43,12 @@ std::vector<NodeId> reserved_values(Graph& graph, const Trace& trace) {
   return conditions;
 }
 
-std::vector<NodeId> differences(Graph& graph, const Trace& trace,
-                                const std::map<AddressId, std::int64_t>& solution) {
+std::vector<NodeId> differences(Graph& graph, const Trace& trace, const Valuation& solution) {
   std::vector<NodeId> conditions;
   for (const auto& [choice, exists] : choices_of(graph, trace)) {
     const auto value = solution.find(choice->address);
-    const NodeId equal =
-        equals(graph, *choice, value == solution.end() ? reserved_value(graph, *choice) : value->second);
+    const NodeId equal = equals(
+        graph, *choice, value == solution.end() ? reserved_value(graph, *choice) : value->second.as_int());
     const NodeId condition = graph.conjunction(exists, graph.negation(equal));
     if (condition != kFalse) conditions.push_back(condition);
   }

@@ -7,6 +7,7 @@
 
 #include "smt/operation_rows.h"
 #include "smt/unsupported_operation.h"
+#include "tracegraph/post_order.h"
 
 namespace solitaire {
 
@@ -141,22 +142,15 @@ void BitBlaster::add_other_values(std::size_t variable, std::int64_t value, std:
     literals.push_back(bits[i] ^ choices_.input_at(variable, i, value));
 }
 
-/// Compiles operands first. They wait on a stack of its own, as the graph can be deeper than the machine's.
 void BitBlaster::compile(Part part) {
   compiled_.resize(graph_.size());
   find_order_sizes();
-  std::vector<Part> pending{part};
-  while (!pending.empty()) {
-    const Part at = pending.back();
-    const std::size_t waiting = pending.size();
-    if (!is_compiled(at)) {
-      require_bits(graph_, at.node);
-      push_operands(at, pending);
-      if (pending.size() > waiting) continue;
-      compile_one(at);
-    }
-    pending.pop_back();
-  }
+  const auto push_needed = [this](Part at, std::vector<Part>& pending) {
+    require_bits(graph_, at.node);
+    push_operands(at, pending);
+  };
+  in_post_order(
+      part, [this](Part at) { return is_compiled(at); }, push_needed, [this](Part at) { compile_one(at); });
 }
 
 bool BitBlaster::is_compiled(Part part) const {

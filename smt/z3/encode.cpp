@@ -7,6 +7,7 @@
 #include "smt/operation_rows.h"
 #include "smt/unsupported_operation.h"
 #include "smt/z3/z3_solver.h"
+#include "tracegraph/post_order.h"
 
 namespace solitaire {
 
@@ -92,23 +93,17 @@ z3::expr Encoder::condition(NodeId node) {
   return term(node);
 }
 
-/// Operands first, on an own stack: the graph can be deeper than the machine's.
 void Encoder::encode(NodeId node) {
   terms_.resize(graph_.size());
-  std::vector<NodeId> pending{node};
-  while (!pending.empty()) {
-    const NodeId at = pending.back();
-    const std::size_t waiting = pending.size();
-    if (!terms_[at.index]) {
-      require_bits(graph_, at);
-      for (const NodeId operand : graph_.node(at).args()) {
-        if (!terms_[operand.index]) pending.push_back(operand);
-      }
-      if (pending.size() > waiting) continue;
-      terms_[at.index] = encode_node(at);
+  const auto push_needed = [this](NodeId at, std::vector<NodeId>& pending) {
+    require_bits(graph_, at);
+    for (const NodeId operand : graph_.node(at).args()) {
+      if (!terms_[operand.index]) pending.push_back(operand);
     }
-    pending.pop_back();
-  }
+  };
+  in_post_order(
+      node, [this](NodeId at) { return terms_[at.index].has_value(); }, push_needed,
+      [this](NodeId at) { terms_[at.index] = encode_node(at); });
 }
 
 z3::expr Encoder::encode_node(NodeId id) {

@@ -48,8 +48,7 @@ class Executor {
   std::unique_ptr<Run> run_;
 };
 
-/// Runs the program once with every choice answered, and adds the texts. Placements lack AnsweredChoices;
-/// whoever knows what an object depends on adds them. Throws as Executor::run.
+/// Runs the program once with every choice answered, and adds the texts. Throws as Executor::run.
 Execution execute(const Program& program, const ParamValues& params, Choices& choices,
                   AddressTable& addresses, const Limits& limits, Branches* observer = nullptr);
 

@@ -12,14 +12,6 @@
 
 namespace solitaire {
 
-/// One answered choice of an execution, in readable form.
-struct AnsweredChoice {
-  using Kind = Distribution::Family;
-  std::string address;  // e.g. "wing[2]/room[0]/make_table/rot"
-  Kind kind = Kind::kRange;
-  TypedScalar value;  // of choose(): the position in the list, from 0
-};
-
 /// A call on the way to a placed thing.
 struct CallRecord {
   std::uint32_t caller;      // its number in the same list, or kNoCall
@@ -39,8 +31,7 @@ struct Placement {
   std::optional<std::array<double, 3>> color;  // red, green, blue, each 0..1
   std::string name;                            // as the program gave it, or ""
   std::string address;                         // of this place call; unique within an execution
-  std::vector<std::string> calls;       // the calls that led to it, outermost first: "wing[2]", "room[0]"
-  std::vector<AnsweredChoice> choices;  // the choices that decide what it is and where it stands
+  std::vector<std::string> calls;  // the calls that led to it, outermost first: "wing[2]", "room[0]"
   std::vector<std::pair<std::string, std::string>>
       extras;          // further named arguments: name, value as JSON text
   std::string source;  // "file.sol:12:3", the place call
@@ -57,9 +48,8 @@ struct Rejection {
   Span span;  // as of a TraceAssert
   Span whole;
   std::string address;
-  std::string message;               // the author's, or ""
-  std::vector<std::string> choices;  // of a broken assert in a solution: the choices it depends on
-  AddressId id;                      // from which add_texts() makes `address`
+  std::string message;  // the author's, or ""
+  AddressId id;         // from which add_texts() makes `address`
 };
 
 /// The cost to an execution of a wish of the program: prefer, minimize or maximize.

@@ -19,9 +19,8 @@ void ExecutionEffects::choice(const TraceChoice& choice, const Value& value) {
 
 void ExecutionEffects::constraint(const Constraint& constraint, const Value& condition) {
   if (*condition.get<bool>()) return;
-  Rejection rejection{
-      constraint.kind,   constraint.span, constraint.whole, "", text_of(constraint.message), {},
-      constraint.address};
+  Rejection rejection{constraint.kind,   constraint.span, constraint.whole, "", text_of(constraint.message),
+                      constraint.address};
   if (constraint.goes_on) {
     execution_.broken.push_back(std::move(rejection));
   } else {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace solitaire {
 namespace {
@@ -10,72 +9,6 @@ namespace {
 std::string function_name(const Closure& closure) {
   return closure.function->name.empty() ? "fun" : "fun " + closure.function->name;
 }
-
-/// The shortest text that reads back as the same float, and as a float.
-std::string float_text(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
-
-using Json = nlohmann::ordered_json;
-
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-/// Returns true if the text needs nothing but quotes around it to be a JSON string.
-bool is_plain(std::string_view text) {
-  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
-}
-
-/// By hand where nothing has to be known about JSON: results are written, and compared, in great numbers.
-void append_json(std::string& json, const Value& value) {
-  const auto members = [&](char open, std::size_t count, char close, auto append) {
-    json += open;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i > 0) json += ',';
-      append(i);
-    }
-    json += close;
-  };
-  switch (value.kind()) {
-    case Value::Kind::kUnset:
-    case Value::Kind::kNil:
-      json += "null";
-      break;
-    case Value::Kind::kBool:
-      json += *value.get<bool>() ? "true" : "false";
-      break;
-    case Value::Kind::kInt:
-      json += std::to_string(*value.get<std::int64_t>());
-      break;
-    case Value::Kind::kFloat:
-      json += dumped(*value.get<double>());
-      break;
-    case Value::Kind::kString:
-      json += json_string(value.object<String>()->text);
-      break;
-    case Value::Kind::kList: {
-      const auto& items = value.as_list()->items;
-      members('[', items.size(), ']', [&](std::size_t i) { append_json(json, items[i]); });
-      break;
-    }
-    case Value::Kind::kRecord: {
-      const Record& record = *value.object<Record>();
-      members('{', record.fields.size(), '}', [&](std::size_t i) {
-        json += json_string(record.type->fields[i].name);
-        json += ':';
-        append_json(json, record.fields[i]);
-      });
-      break;
-    }
-    default:
-      json += json_string(to_text(value));
-  }
-}
-
-}  // namespace
-
-namespace {
 
 std::uint32_t nesting_of(const std::vector<Value>& members) {
   std::uint32_t deepest = 0;
@@ -257,17 +190,6 @@ std::string to_text(const Value& value, const NodeName& name) {
   return "";
 }
 
-std::string to_json(const Value& value) {
-  std::string json;
-  append_json(json, value);
-  return json;
-}
-
-std::string json_string(std::string_view text) {
-  if (!is_plain(text)) return dumped(text);
-  std::string quoted = "\"";
-  quoted += text;
-  return quoted += '"';
-}
+std::string to_json(const Value& value) { return to_json(plain(value)); }
 
 }  // namespace solitaire

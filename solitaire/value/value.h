@@ -8,6 +8,7 @@
 
 #include "solitaire/builtins/builtin.h"
 #include "solitaire/syntax/syntax.h"
+#include "solitaire/value/plain_value.h"
 #include "solitaire/value/ref.h"
 #include "tracegraph/graph.h"
 
@@ -282,11 +283,7 @@ std::string to_text(const Value& value, const NodeName& name);
 /// The nodes in a value, guards of unions included.
 void collect_nodes(const Value& value, std::vector<NodeId>& nodes);
 
-/// The value as JSON: lists as arrays, records as objects of their fields, functions as their names, nil as
-/// null.
+/// As of its PlainValue.
 std::string to_json(const Value& value);
-
-/// `text` as a JSON string, quotes included; broken UTF-8 is replaced.
-std::string json_string(std::string_view text);
 
 }  // namespace solitaire

@@ -1,4 +1,4 @@
-#include "engines/explain/conditions.h"
+#include "engines/solve/conditions.h"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,7 @@
 namespace solitaire {
 namespace {
 
-/// Whether an end is the same in all executions. Its condition compares it with the choice.
+/// Returns true if an end is the same in all executions. Its condition compares it with the choice.
 bool is_fixed(const Graph& graph, NodeId condition) {
   const auto operands = graph.node(condition).args();
   return std::any_of(operands.begin(), operands.end(),

@@ -20,7 +20,7 @@ struct Condition {
   const Pin* pin = nullptr;
   std::optional<Distribution> domain;  // the choice's: of a pin, and of an end that depends on no choice
 
-  /// The same condition in every pass, whatever is known about it.
+  /// Two conditions are equal if they are the same one in every pass, whatever is known about them.
   friend bool operator==(const Condition& a, const Condition& b) { return a.key() == b.key(); }
   friend bool operator<(const Condition& a, const Condition& b) { return a.key() < b.key(); }
 
@@ -30,7 +30,7 @@ struct Condition {
   }
 };
 
-/// Whether it is about a choice's range: an end, or the steps.
+/// Returns true for a condition about a choice's range: an end, or the steps.
 bool is_end(ConstraintKind requirement);
 
 /// A condition, where a trace says when it holds.
@@ -40,8 +40,8 @@ struct TracedCondition {
   NodeId met = kFalse;  // whether an execution comes to it
 };
 
-/// All conditions of a trace whose asserts are taken apart, each once, in the order of the program's text.
-/// One that holds in all executions is among them too.
+/// Returns all conditions of a trace whose asserts are taken apart, each once, in the order of the program's
+/// text. One that holds in all executions is among them too.
 std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pins& pins);
 
 }  // namespace solitaire

@@ -1,4 +1,4 @@
-#include "engines/explain/condition_solver.h"
+#include "engines/solve/condition_solver.h"
 
 #include <algorithm>
 #include <unordered_map>

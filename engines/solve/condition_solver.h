@@ -1,7 +1,7 @@
 #pragma once
 #include <set>
 
-#include "engines/explain/conditions.h"
+#include "engines/solve/conditions.h"
 #include "engines/solve/execution_solver.h"
 
 namespace solitaire {
@@ -22,15 +22,16 @@ class ConditionSolver {
 
   /// All conditions that have been met so far. Throws Interrupted.
   const std::vector<TracedCondition>& all();
-  /// Whether those that are wanted can hold together; `also`, a bool node of graph(), too.
+  /// Asks whether those that are wanted can hold together, and with them `also`, a bool node of graph().
   Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr,
                Ends ends = Ends::kMistakesAndCuts);
   Outcome find(const Conditions& wanted);
-  /// How often the newest pass met what it cannot express.
+  /// Returns how often the newest pass met what it cannot express.
   std::size_t inexpressible();
-  /// After kNone: those of the wanted ones that cannot hold together. Of several that mean the same, one.
+  /// After kNone: returns those of the wanted ones that cannot hold together, and one of several that mean
+  /// the same.
   Conditions core();
-  /// The addresses of the choices that the conditions depend on.
+  /// Returns the addresses of the choices that the conditions depend on.
   std::set<AddressId> choices_below(const Conditions& conditions);
 
   Graph& graph() { return graph_; }

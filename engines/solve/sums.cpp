@@ -1,4 +1,4 @@
-#include "engines/count/sums.h"
+#include "engines/solve/sums.h"
 
 namespace solitaire {
 

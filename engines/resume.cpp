@@ -1,14 +1,17 @@
-#include "engines/solve/solution_source.h"
+#include "engines/resume.h"
 
 #include <fmt/format.h>
 
+#include "engines/errors.h"
+
 namespace solitaire {
 
-std::vector<Solution> run_all(TracingEngine& engine, const std::vector<KnownChoices>& known) {
+std::vector<Solution> run_all(const std::vector<ChosenValues>& known,
+                              const std::function<Solution(const ChosenValues&)>& run) {
   std::vector<Solution> solutions;
-  for (const KnownChoices& choices : known) {
+  for (const ChosenValues& choices : known) {
     try {
-      solutions.push_back(engine.run(choices));
+      solutions.push_back(run(choices));
     } catch (const NotASolution& error) {
       throw NotASolution(
           fmt::format("solution {} is none of this program: {}", solutions.size() + 1, error.what()));

@@ -1,0 +1,30 @@
+#pragma once
+#include <stdexcept>
+
+namespace solitaire {
+
+/// Solitaire itself is wrong: for example, a model of the formula is not an execution of the program.
+class InternalError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Choices that are known from before are not those of a solution of this program.
+class NotASolution : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A pin matches none of the program's choices; the message names those nearest.
+class UnmatchedPin : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Uniform sampling of a program whose solutions are not to be equally probable, since it prefers some.
+class UnequalSolutions : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,45 @@
+#include "engines/freeze.h"
+
+#include <utility>
+
+namespace solitaire {
+namespace {
+
+PlacedObject object_of(Placement placement) {
+  PlacedObject object;
+  object.asset = std::move(placement.asset);
+  object.at = placement.at;
+  object.size = std::move(placement.size);
+  object.turn = placement.turn;
+  object.angle = placement.angle;
+  object.color = placement.color;
+  object.name = std::move(placement.name);
+  object.address = std::move(placement.address);
+  object.calls = std::move(placement.calls);
+  object.extras = std::move(placement.extras);
+  object.source = std::move(placement.source);
+  return object;
+}
+
+BrokenAssert broken_of(Rejection rejection) {
+  return {rejection.span, rejection.whole, std::move(rejection.address), std::move(rejection.message), {}};
+}
+
+}  // namespace
+
+Solution solution_of(Execution execution, const AddressTable& addresses) {
+  Solution solution;
+  solution.value = plain(execution.value);
+  solution.choices.reserve(execution.choices.size());
+  for (const MetChoice& choice : execution.choices)
+    solution.choices.push_back({addresses.text(choice.address), choice.domain.family, choice.value});
+  solution.placements.reserve(execution.placements.size());
+  for (Placement& placement : execution.placements)
+    solution.placements.push_back(object_of(std::move(placement)));
+  for (Rejection& rejection : execution.broken) solution.broken.push_back(broken_of(std::move(rejection)));
+  solution.unit = execution.unit;
+  solution.printed = std::move(execution.printed);
+  return solution;
+}
+
+}  // namespace solitaire

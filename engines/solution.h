@@ -1,0 +1,81 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/span.h"
+#include "solitaire/value/plain_value.h"
+#include "tracegraph/distribution.h"
+#include "tracegraph/scalar.h"
+
+namespace solitaire {
+
+// What engines hand out. All of it is plain data that shares nothing with the engine that made it or with any
+// program, so that any thread may keep it for as long as it likes, while the engine goes on.
+
+/// A choice of an execution, in readable form.
+struct ChosenValue {
+  std::string address;  // such as "wing[2]/room[0]/make_table/rot"
+  Distribution::Family family = Distribution::Family::kRange;
+  TypedScalar value;  // of choose(): the position in the list, from 0
+
+  friend bool operator==(const ChosenValue&, const ChosenValue&) = default;
+};
+
+/// The choices that an execution meets. They say all about it: whoever answers a program's choices with them
+/// runs that execution.
+using ChosenValues = std::vector<ChosenValue>;
+
+/// A thing that `place` put into the scene, in the program's own coordinates and units: x runs right, y into
+/// the depth, z up.
+struct PlacedObject {
+  std::string asset;            // a bundled asset's name, a path to a .glb/.gltf, or "" for a plain box
+  std::array<double, 3> at{};   // the lowest corner of the object's box after turning
+  std::vector<double> size;     // the box before turning: none (the asset's own), [w, d] or [w, d, h]
+  int turn = 0;                 // quarter turns counter-clockwise seen from above, 0..3
+  std::optional<double> angle;  // degrees counter-clockwise instead of `turn`
+  std::optional<std::array<double, 3>> color;  // red, green, blue, each 0..1
+  std::string name;                            // as the program gave it, or ""
+  std::string address;                         // of this place call; unique within a solution
+  std::vector<std::string> calls;  // the calls that led to it, outermost first: "wing[2]", "room[0]"
+  ChosenValues choices;            // the choices that decide what it is and where it stands
+  std::vector<std::pair<std::string, std::string>>
+      extras;          // further named arguments: name, value as JSON text
+  std::string source;  // "file.sol:12:3", the place call
+};
+
+/// A conjunct of an assert that a solution breaks, where solutions may.
+struct BrokenAssert {
+  Span span;   // of the conjunct
+  Span whole;  // of the whole condition
+  std::string address;
+  std::string message;               // the author's, or ""
+  std::vector<std::string> choices;  // the addresses of the choices on which it depends, sorted
+};
+
+/// How good a solution is, where the program has wishes or its asserts may be broken. Fewer broken asserts
+/// are better, and of those with as many the one of less cost.
+struct Quality {
+  std::size_t broken = 0;  // asserts
+  std::size_t wishes = 0;  // that the execution met
+  std::int64_t cost = 0;   // of all wishes together
+  bool proved = false;     // that no better one is left
+};
+
+/// A result that an engine found. Of a program it is an execution in which every assert holds, unless asserts
+/// may be broken: the program was run with these choices, or, where the engine was allowed to, what it does
+/// with them was read off its trace. An engine without a program fills in what it knows.
+struct Solution {
+  PlainValue value;      // what the program returned
+  ChosenValues choices;  // in the order in which the execution meets them
+  std::vector<PlacedObject> placements;
+  std::vector<BrokenAssert> broken;
+  std::optional<Quality> quality;    // nothing where solutions are all as good
+  double unit = 1;                   // metres in one unit of the program
+  std::vector<std::string> printed;  // lines
+};
+
+}  // namespace solitaire

@@ -1,0 +1,91 @@
+#include "engines/solve/best_first.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/diagnostic.h"
+#include "engines/solve/objective.h"
+
+namespace solitaire {
+namespace {
+
+NodeId checked_objective(Graph& graph, const Trace& trace, bool relax) {
+  try {
+    return objective_of(graph, trace, relax);
+  } catch (const IntegerTooLarge&) {
+    throw ProgramError(
+        Diagnostic{trace.wishes.front().span, "the cost of all wishes can grow past 62 bits", "", {}});
+  }
+}
+
+}  // namespace
+
+BestFirst::BestFirst(ExecutionSolver& solver, const TracingOptions& options, StopSignal& stop)
+    : solver_(solver), relax_(options.relax), improvement_time_(options.improvement_time), stop_(stop) {}
+
+void BestFirst::meet_pass() { objective_ = checked_objective(solver_.graph(), solver_.trace(), relax_); }
+
+NodeId BestFirst::at_most(std::int64_t rank) {
+  Graph& graph = solver_.graph();
+  const NodeId objective = checked_objective(graph, solver_.trace(), relax_);
+  const NodeId good = graph.apply(Op::kLeInt, {objective, graph.constant(rank)});
+  return graph.disjunction(good, solver_.unexplored());
+}
+
+Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_point start) {
+  Attempt best;
+  if (last_was_best_) best = search(proved_);  // perhaps there is another one as good
+  if (!best.found && best.ending != Ending::kStopped) best = search(std::nullopt);
+  if (!best.found) return best;
+  if (needs_no_search()) {
+    if (best.found->solution.quality) best.found->solution.quality->proved = true;
+    return best;
+  }
+  limit_time(start);
+  improve(*best.found, search, told);
+  stop_.set_deadline(Clock::time_point::max());
+  return best;
+}
+
+/// What a trace says of the cost is all there is to say only where no path is left unexplored.
+bool BestFirst::needs_no_search() const {
+  const Trace& trace = solver_.trace();
+  return solver_.graph().node(objective_).is_constant() && (trace.blockers.empty() || trace.wishes.empty());
+}
+
+void BestFirst::limit_time(Clock::time_point start) {
+  if (!improvement_time_) return;
+  const std::chrono::duration<double> time(std::min(*improvement_time_, 1e8));  // what the clock can count
+  stop_.set_deadline(start + std::chrono::duration_cast<Clock::duration>(time));
+}
+
+/// Makes the solution better until it is proved that no better one is left, or a limit comes.
+void BestFirst::improve(Candidate& best, const Search& search, const Told& told) {
+  if (solver_.trace().blockers.empty())
+    proved_ = std::max(proved_, solver_.graph().node(objective_).interval.lo);
+  stride_ = 1;
+  while (best.rank > proved_) {
+    if (told) told(best.solution);
+    const std::int64_t most = target(best.rank);
+    Attempt better = search(most);
+    if (better.found) {
+      best = std::move(*better.found);
+    } else if (better.ending == Ending::kExhausted) {
+      proved_ = most + 1;
+    } else {
+      break;  // the next search will find whether it has to end
+    }
+  }
+  last_was_best_ = best.rank <= proved_;
+  best.solution.quality->proved = last_was_best_;
+}
+
+/// A rank below this one: half way to what is impossible, or by strides that grow.
+std::int64_t BestFirst::target(std::int64_t rank) {
+  if (proved_ != INT64_MIN) return proved_ + (rank - 1 - proved_) / 2;
+  const std::int64_t target = std::max(rank - stride_, -kIntLimit);
+  if (stride_ < kIntLimit / 4) stride_ *= 2;
+  return target;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,28 @@
+#include "engines/solve/enumeration.h"
+
+#include "engines/solve/meeting.h"
+#include "engines/solve/symmetry.h"
+
+namespace solitaire {
+
+Enumeration::Enumeration(ExecutionSolver& solver, std::vector<NodeId> conditions, bool one_of_alike)
+    : graph_(solver.graph()) {
+  Graph& graph = solver.graph();
+  const MeetingConditions meeting = meeting_conditions(graph, solver.trace());
+  const std::vector<NodeId> fixed = fixed_unmet_choices(graph, meeting);
+  conditions.insert(conditions.end(), fixed.begin(), fixed.end());
+  if (one_of_alike) {
+    symmetry_breaking_ = symmetry_breaking(graph, solver.addresses(), solver.pass(), conditions);
+    conditions.insert(conditions.end(), symmetry_breaking_.begin(), symmetry_breaking_.end());
+  }
+  std::erase(conditions, kTrue);
+  std::vector<std::size_t> choices;
+  for (const auto& [variable, condition] : meeting) choices.push_back(variable);
+  enumerator_ = std::make_unique<Enumerator>(graph, conditions, choices);
+}
+
+Assignment Enumeration::assignment() const {
+  return {graph_, [this](std::size_t variable) { return Scalar::of(enumerator_->value(variable)); }};
+}
+
+}  // namespace solitaire

@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "engines/solve/execution_solver.h"
+#include "smt/cdcl/enumerator.h"
+
+namespace solitaire {
+
+/// Goes through the solutions of a trace in order, without the solver. All paths have to be explored, and the
+/// solutions have to be all as good.
+class Enumeration {
+ public:
+  /// `conditions` hold in the solutions to go through. With `one_of_alike`, some of those that look like
+  /// others are left out.
+  Enumeration(ExecutionSolver& solver, std::vector<NodeId> conditions, bool one_of_alike);
+
+  using Outcome = Enumerator::Outcome;
+  /// Goes to the next solution. Any outcome but kFound is the last.
+  Outcome next(const StopSignal& stop) { return enumerator_->next(stop); }
+  /// After kFound: the values of the choices' variables.
+  Assignment assignment() const;
+  /// Returns the conditions by which solutions that look like others were left out.
+  const std::vector<NodeId>& left_out() const { return symmetry_breaking_; }
+
+ private:
+  const Graph& graph_;
+  std::vector<NodeId> symmetry_breaking_;
+  std::unique_ptr<Enumerator> enumerator_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,12 @@
+#pragma once
+#include "engines/solve/execution_solver.h"
+#include "engines/solve/pins.h"
+
+namespace solitaire {
+
+/// Checks that every pin matches a choice of the program; one that does not is a mistake of the user's. For
+/// pins of choices on paths that are not explored yet, some more passes are run. Throws UnmatchedPin and
+/// Interrupted.
+void check_pins(Pins& pins, ExecutionSolver& solver);
+
+}  // namespace solitaire

@@ -1,0 +1,101 @@
+#include "engines/solve/program_errors.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "engines/errors.h"
+#include "tracegraph/cone.h"
+
+namespace solitaire {
+namespace {
+
+using Outcome = ExecutionSolver::Outcome;
+
+std::string text_of(TypedScalar value) {
+  switch (value.type()) {
+    case Type::kBool:
+      return value.as_int() != 0 ? "true" : "false";
+    case Type::kInt:
+      return fmt::to_string(value.as_int());
+    case Type::kFloat:
+      break;
+  }
+  return float_text(value.as_float());
+}
+
+}  // namespace
+
+void ProgramErrors::report_reachable() {
+  const Trace& trace = solver_.trace();
+  if (trace.program_errors.empty()) return;
+  NodeId any = kFalse;
+  for (const TraceProgramError& error : trace.program_errors)
+    any = solver_.graph().disjunction(any, error.guard);
+  const Outcome outcome = solver_.find_explored([&] { return std::vector{any}; });
+  if (outcome != Outcome::kFound || !solver_.exact()) return;  // wrapped ints come to it, perhaps
+  Assignment assignment = solver_.assignment();
+  const auto met = std::ranges::find_if(
+      trace.program_errors, [&](const TraceProgramError& error) { return assignment.holds(error.guard); });
+  if (met == trace.program_errors.end()) throw InternalError("a model that comes to an error comes to none");
+  throw ProgramError(diagnose(*met, solver_.met(assignment).values));
+}
+
+/// Returns the error to which an execution with these choices comes, as a run reports it.
+Diagnostic ProgramErrors::diagnose(const TraceProgramError& error, const Valuation& values) {
+  if (!error.of_program) return {error.span, error.message, error.help, {}};
+  try {
+    replayer_.run(values);
+  } catch (const ProgramError& reported) {
+    return reported.diagnostics().front();
+  }
+  throw InternalError("an execution that should come to an error came to none");
+}
+
+std::vector<Diagnostic> ProgramErrors::find_all(bool* complete) {
+  std::vector<Diagnostic> diagnostics;
+  try {
+    *complete = solver_.explore_fully();
+  } catch (const Interrupted&) {
+    *complete = false;
+  }
+  const std::vector<TraceProgramError>& errors = solver_.trace().program_errors;
+  std::vector<bool> told(errors.size(), false);
+  while (true) {
+    const Outcome outcome = solver_.find_explored([&] {
+      NodeId any = kFalse;
+      for (std::size_t i = 0; i < told.size(); ++i) {
+        if (!told[i]) any = solver_.graph().disjunction(any, errors[i].guard);
+      }
+      return std::vector{any};
+    });
+    if (outcome != Outcome::kFound) {
+      *complete &= outcome == Outcome::kNone;
+      return diagnostics;
+    }
+    Assignment assignment = solver_.assignment();
+    std::size_t number = 0;
+    while (told[number] || !assignment.holds(errors[number].guard)) ++number;
+    const TraceProgramError& met = errors[number];
+    const Valuation values = solver_.met(assignment).values;
+    diagnostics.push_back(diagnose(met, values));
+    diagnostics.back().notes.push_back(leading_choices(met, values));
+    for (std::size_t i = 0; i < told.size(); ++i) {  // the same error on other paths says nothing new
+      if (errors[i].span == met.span && errors[i].message == met.message) told[i] = true;
+    }
+  }
+}
+
+/// Returns "where x = 3, f = true": the choices on which it depends whether an execution comes to the error.
+std::string ProgramErrors::leading_choices(const TraceProgramError& error, const Valuation& values) const {
+  std::vector<std::string> choices;
+  for (const std::size_t number : variables_below(solver_.graph(), {&error.guard, 1})) {
+    const AddressId address = solver_.graph().variables()[number].address;
+    const auto value = values.find(address);
+    if (value != values.end())
+      choices.push_back(fmt::format("{} = {}", solver_.addresses().text(address), text_of(value->second)));
+  }
+  return choices.empty() ? "whatever is chosen" : fmt::format("where {}", fmt::join(choices, ", "));
+}
+
+}  // namespace solitaire

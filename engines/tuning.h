@@ -1,0 +1,90 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+// The constants of the engines that were tuned, or chosen by judgement. Each says what it decides and where
+// it comes from: a table of docs/engine.md, a publication, or judgement, where nobody has measured. What a
+// proof or a format fixes (such as CellSampler::kSlots) stands where it is used.
+namespace solitaire::tuning {
+
+// Exploration (engines/solve/explore.h).
+
+/// Branch sides that a pass of the beginning may open without being asked. Judgement: most programs are
+/// covered at once, and a pass of as many sides takes well under a second.
+constexpr std::size_t kUnaskedSides = 4000;
+/// Levels of undecided branches that the first pass opens; each further pass opens four times as many.
+/// Judgement, as is the factor.
+constexpr std::uint32_t kFirstLevels = 4;
+constexpr std::uint32_t kLevelGrowth = 4;
+constexpr std::uint32_t kMostLevels = 1U << 20;  // deeper than any program that can be solved
+/// Levels that come with the first sides that are opened because a core asks for it; the number doubles each
+/// time. Judgement.
+constexpr std::uint32_t kFirstGrant = 8;
+/// Steps, and calls within each other, that a path of only some executions may take before it is cut, and the
+/// factor by which both grow when a core names a cut. Judgement: far more than layouts need, and soon over
+/// where a loop has no end.
+constexpr std::uint64_t kFuelSteps = 100'000;
+constexpr std::uint32_t kFuelDepth = 200;
+constexpr std::uint32_t kFuelGrowth = 4;
+/// Passes after which a program counts as one with endlessly many paths. Judgement.
+constexpr std::size_t kMostPasses = 200;
+/// Passes that look for choices which a pin names before the pin counts as wrong. Judgement.
+constexpr std::size_t kPassesForPins = 8;
+
+// Different solutions (engines/solve/exclusion.h, series.h, symmetry.h).
+
+/// The solver is told of every known solution once more than a quarter of them, and of this number of others,
+/// came again. docs/engine.md, "Different solutions", has what a solution costs after 10, 100 and more.
+constexpr std::size_t kRepeatsWorthTelling = 4;
+constexpr std::size_t kFewKnown = 16;
+/// A block of solutions does not know what is found in this number of blocks before it, so one more than that
+/// can be worked on at a time. Judgement: machines with up to eight processors are kept busy.
+constexpr std::size_t kUnknownBlocks = 7;
+/// The sizes of the first blocks, 4, 8 and 16, so that few solutions, too, are found side by side; and the
+/// least and usual size of the later ones. Those grow with the number of solutions before them, to an eighth
+/// of it, or a quarter where blocks follow one another, so that starting anew stays a small part of the work.
+/// Judgement.
+constexpr std::size_t kFirstBlock = 4;
+constexpr std::size_t kSmallBlocks = 3;
+constexpr std::size_t kUsualBlock = 32;
+constexpr std::size_t kBlockShare = 8;
+constexpr std::size_t kBestFirstBlockShare = 4;
+/// Nodes that the search for symmetries looks at in all: some seconds of work.
+constexpr std::size_t kMostNodesForSymmetry = 20'000'000;
+
+// Explanations (engines/explain/, engines/solve/provenance.h, wide_choices.h).
+
+/// How far choices may lie outside of their ranges where it is looked for what depends on them: by this many
+/// times what they span, at least by kLeastReach, and at most by kMostReach, since products of what lies
+/// further out would grow past 62 bits. Judgement, as kProvenanceReach, which is past most lengths that a
+/// layout compares with.
+constexpr std::int64_t kReachInSpans = 4;
+constexpr std::int64_t kLeastReach = 64;
+constexpr std::int64_t kMostReach = std::int64_t{1} << 28;
+constexpr std::int64_t kProvenanceReach = 4096;
+/// Of a choice with more values only the ends are looked for. Judgement: each value costs a question.
+constexpr std::uint64_t kMostValuesListed = 256;
+/// Different solutions that are looked at before single values are asked for: they show most values that
+/// occur. Judgement.
+constexpr std::uint64_t kSamplesOfValues = 16;
+
+// Counting and sampling (engines/count/).
+
+/// The most that is listed of what a part of the choices can be, rather than estimated or drawn from cells.
+/// Judgement: listing as many takes seconds at the most (docs/engine.md, "Sampling and counting").
+constexpr std::uint64_t kMostListedToCount = 20'000;
+constexpr std::uint64_t kMostListedToSample = 10'000;
+/// What is listed anyway, even for an estimate, which needs that there are more than a few.
+constexpr std::uint64_t kFewModels = 64;
+/// Models that a trial cell has at most on the average. The bound of xor_sampler.h holds for any number below
+/// kMostInCell; a larger one makes trials longer, and a smaller one makes more of them necessary. Judgement.
+constexpr std::size_t kModelsInTrialCell = 10;
+/// Draws in vain that are no reason yet to list all that is left, however little that is. Judgement.
+constexpr double kFewDraws = 1000;
+
+// The published way (engines/thesis/).
+
+/// The dissertation's "all values represented as 16-bit integers" (section 4.2.1).
+constexpr unsigned kPublishedWidth = 16;
+
+}  // namespace solitaire::tuning

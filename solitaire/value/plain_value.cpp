@@ -1,0 +1,148 @@
+#include "solitaire/value/plain_value.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "solitaire/value/value.h"
+
+namespace solitaire {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// Returns true if the JSON string of the text is the text between quotes.
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
+std::vector<PlainValue> all_plain(const std::vector<Value>& values) {
+  std::vector<PlainValue> copies;
+  copies.reserve(values.size());
+  for (const Value& value : values) copies.push_back(plain(value));
+  return copies;
+}
+
+PlainValue::Record plain_record(const Record& record) {
+  PlainValue::Record copy{record.type->name, {}, all_plain(record.fields)};
+  for (std::size_t i = 0; i < record.fields.size(); ++i) copy.names.push_back(record.type->fields[i].name);
+  return copy;
+}
+
+/// Appends values in the manner of a list, each written by `append`.
+template <class Append>
+void append_list(std::string& text, char open, std::size_t count, char close, std::string_view between,
+                 Append append) {
+  text += open;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) text += between;
+    append(i);
+  }
+  text += close;
+}
+
+/// Writes JSON. It does so by hand where nothing has to be known about JSON: results are written, and
+/// compared, in great numbers.
+struct JsonWriter {
+  std::string& json;
+
+  void operator()(const PlainValue::Nil&) const { json += "null"; }
+  void operator()(bool value) const { json += value ? "true" : "false"; }
+  void operator()(std::int64_t value) const { json += std::to_string(value); }
+  void operator()(double value) const { json += dumped(value); }
+  void operator()(const std::string& text) const { json += json_string(text); }
+  void operator()(const PlainValue::List& list) const {
+    append_list(json, '[', list.items.size(), ']', ",",
+                [&](std::size_t i) { std::visit(*this, list.items[i].is); });
+  }
+  void operator()(const PlainValue::Record& record) const {
+    append_list(json, '{', record.names.size(), '}', ",", [&](std::size_t i) {
+      json += json_string(record.names[i]);
+      json += ':';
+      std::visit(*this, record.values[i].is);
+    });
+  }
+  void operator()(const PlainValue::Function& function) const { json += json_string(function.name); }
+};
+
+/// Writes the value as the language does.
+struct TextWriter {
+  std::string& text;
+
+  void operator()(const PlainValue::Nil&) const { text += "nil"; }
+  void operator()(bool value) const { text += value ? "true" : "false"; }
+  void operator()(std::int64_t value) const { text += std::to_string(value); }
+  void operator()(double value) const { text += float_text(value); }
+  void operator()(const std::string& string) const { text += json_string(string); }
+  void operator()(const PlainValue::List& list) const {
+    append_list(text, '[', list.items.size(), ']', ", ",
+                [&](std::size_t i) { std::visit(*this, list.items[i].is); });
+  }
+  void operator()(const PlainValue::Record& record) const {
+    text += record.type;
+    append_list(text, '(', record.names.size(), ')', ", ", [&](std::size_t i) {
+      text += record.names[i];
+      text += ": ";
+      std::visit(*this, record.values[i].is);
+    });
+  }
+  void operator()(const PlainValue::Function& function) const { text += function.name; }
+};
+
+}  // namespace
+
+PlainValue plain(const Value& value) {
+  switch (value.kind()) {
+    case Value::Kind::kUnset:
+    case Value::Kind::kNil:
+      return {};
+    case Value::Kind::kBool:
+      return {*value.get<bool>()};
+    case Value::Kind::kInt:
+      return {*value.get<std::int64_t>()};
+    case Value::Kind::kFloat:
+      return {*value.get<double>()};
+    case Value::Kind::kString:
+      return {value.object<String>()->text};
+    case Value::Kind::kList:
+      return {PlainValue::List{all_plain(value.as_list()->items)}};
+    case Value::Kind::kRecord:
+      return {plain_record(*value.object<Record>())};
+    case Value::Kind::kBuiltin:
+    case Value::Kind::kClosure:
+    case Value::Kind::kRecordType:
+    case Value::Kind::kSymbol:
+    case Value::Kind::kUnion:
+      break;
+  }
+  return {PlainValue::Function{to_text(value)}};
+}
+
+std::string to_text(const PlainValue& value) {
+  std::string text;
+  std::visit(TextWriter{text}, value.is);
+  return text;
+}
+
+std::string to_json(const PlainValue& value) {
+  std::string json;
+  std::visit(JsonWriter{json}, value.is);
+  return json;
+}
+
+std::string json_string(std::string_view text) {
+  if (!is_plain(text)) return dumped(text);
+  std::string quoted = "\"";
+  quoted += text;
+  return quoted += '"';
+}
+
+std::string float_text(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+}  // namespace solitaire
