@@ -83,7 +83,7 @@ Value Operators::operate(Op op, std::span<const Value> operands, Span span) {
 
 Value Operators::fold(Op op, std::span<const Value> operands, Span span) {
   const Operation& row = operation(op);
-  Scalar scalars[kMostOperands];
+  Scalar scalars[kMostOperands] = {};
   for (std::size_t i = 0; i < operands.size(); ++i) scalars[i] = scalar_of(operands[i]);
   const auto result = row.fold(scalars);
   if (!result && operands.size() == 1 && row.operand == Type::kFloat)
