@@ -211,7 +211,8 @@ TEST_CASE("limits: --timeout holds for check, explain and trace") {
   for (const Arguments& arguments :
        {Arguments{"check", script}, Arguments{"check", script, "--set", "n=3000"},
         Arguments{"explain", script}, Arguments{"explain", script, "--engine", "z3"},
-        Arguments{"trace", script, "--set", "n=3000"}, Arguments{"trace", script, "--format", "smt2"}}) {
+        Arguments{"trace", script, "--set", "n=3000"},
+        Arguments{"trace", script, "--set", "n=3000", "--format", "smt2"}}) {
     Arguments limited = arguments;
     limited.insert(limited.end(), {"--timeout", "0.3"});
     const Outcome outcome = run_promptly(0.3, [&] { return run_solitaire(limited); });
@@ -326,7 +327,7 @@ TEST_CASE("limits: check and trace say that there is no more memory (slow)") {
   const Workplace place;
   const std::string script = place.file("wide.sol", kWide);
   for (const Arguments& arguments :
-       {Arguments{"check", script}, Arguments{"trace", script, "--format", "smt2"}}) {
+       {Arguments{"check", script}, Arguments{"trace", script, "--set", "n=3000", "--format", "smt2"}}) {
     const Outcome outcome = run_in_shell("ulimit -v 120000 && exec \"$0\" \"$@\"", arguments);
     CHECK(outcome.status == 4);
     CHECK(outcome.out == "");
