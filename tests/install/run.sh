@@ -18,7 +18,8 @@ moved=$work/somewhere/else
 mkdir "$work/somewhere"
 mv "$work/installed" "$moved"
 
-# The program of docs/library.md is its first block of C++.
+# The program of docs/library.md is its first block of C++. The quotes hold fences of Markdown, and nothing to expand.
+# shellcheck disable=SC2016
 sed -n '/^```cpp$/,/^```$/{/^```/!p;/^```$/q}' "$sources/docs/library.md" >"$work/documented.cpp"
 "$cmake" -S "$sources/tests/install" -B "$work/build" -DCMAKE_PREFIX_PATH="$moved" \
   -DDOCUMENTED_PROGRAM="$work/documented.cpp" ${CXX:+-DCMAKE_CXX_COMPILER="$CXX"} ${CXXFLAGS:+-DCMAKE_CXX_FLAGS="$CXXFLAGS"} >"$work/configure.log"
