@@ -104,11 +104,4 @@ class Timed {
   virtual EngineTimes times() const = 0;
 };
 
-/// Tells whether other threads are at work for a stream until it is destroyed.
-class Threaded {
- public:
-  virtual ~Threaded() = default;
-  virtual bool has_threads() const = 0;
-};
-
 }  // namespace solitaire

@@ -35,8 +35,7 @@ class Series : public SolutionStream,
                public Exploring,
                public WithFormula,
                public CountingAlike,
-               public Timed,
-               public Threaded {
+               public Timed {
  public:
   Series(const Program& program, ParamValues params, const TracingOptions& tracing, SeriesOptions options);
 
@@ -47,7 +46,6 @@ class Series : public SolutionStream,
   std::optional<Solution> next() override;
   void on_improvement(std::function<void(const Solution&)> told) override;
 
-  bool has_threads() const override { return !searches_.empty(); }
   Ending ending() const override { return ending_; }
   EngineTimes times() const override;
   std::size_t graph_size() const override { return engine_->graph_size(); }
