@@ -25,7 +25,7 @@ Checked check(const Program& program, const Options& options, bool deep) {
     }
     const Trace& trace = traced.trace();
     checked.choices = trace.choices.size();
-    checked.conditions = trace.asserts.size();
+    checked.conditions = trace.hard_terms.size();
     checked.placed = trace.placed.size();
     checked.nodes = traced.graph().size();
     checked.closed = trace.blockers.size();

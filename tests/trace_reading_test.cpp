@@ -102,7 +102,7 @@ TEST_CASE("reading: an execution that fails an assert, or goes where the trace d
   std::size_t solutions = 0;
   for (const Execution& solution : whole.solutions) solutions += whole.read(solution) ? 1 : 0;
   CHECK(solutions == whole.solutions.size());
-  const TraceAssert& required = whole.pass.trace.asserts.front();
+  const Term& required = whole.pass.trace.hard_terms.front();
   Assignment broken(whole.graph, [&](std::size_t number) {
     const bool is_bool = whole.graph.variables()[number].domain.type() == Type::kBool;
     return Scalar::of(std::int64_t{is_bool ? 0 : 2});

@@ -96,13 +96,13 @@ void check_traces(const Program& program, Check& check, std::uint64_t seed, int 
       continue;
     }
     ++check.same_path;
-    const bool fulfilled = holds(traced->trace.asserts, &TraceAssert::condition);
+    const bool fulfilled = holds(traced->trace.hard_terms, &Term::node);
     CHECK(fulfilled == !other->rejection.has_value());
     if (!fulfilled) continue;
     CHECK(other->choices.size() == traced->execution.choices.size());
     CHECK(text_under(assignment, traced->execution.value) == to_text(other->value));
     std::int64_t cost = 0;
-    for (const SoftConstraint& wish : traced->trace.wishes) cost += assignment.value(wish.cost)->i;
+    for (const Term& wish : traced->trace.soft_terms) cost += assignment.value(wish.node)->i;
     CHECK(cost == other->cost);
   }
 }
@@ -160,7 +160,7 @@ TEST_CASE("tracing: floats are chosen, and conditions on them are followed") {
     const TracedExecution traced = trace_execution(program, {}, random, graph, addresses, {});
     REQUIRE(traced.execution.choices.size() == 3);
     REQUIRE(traced.path.size() == 1);
-    REQUIRE(traced.trace.asserts.size() == 1);
+    REQUIRE(traced.trace.hard_terms.size() == 1);
     CHECK(graph.node(traced.path[0].holds).has_float);
     const double x = traced.execution.choices[0].value.as_float();
     const Value& z = traced.execution.value.as_list()->items[0];

@@ -15,8 +15,8 @@ std::vector<NodeId> nodes_of(const Graph& graph, const Trace& trace) {
   std::vector<NodeId> roots = trace.returned;
   const auto need = [&](NodeId node) { roots.push_back(node); };
   for (const auto& choice : trace.choices) need(choice.guard), need(choice.variable);
-  for (const auto& required : trace.asserts) need(required.guard), need(required.condition);
-  for (const auto& wish : trace.wishes) need(wish.guard), need(wish.cost);
+  for (const Term& term : trace.hard_terms) need(term.guard), need(term.node);
+  for (const Term& term : trace.soft_terms) need(term.guard), need(term.node);
   for (const auto& blocker : trace.blockers) need(blocker.guard);
   for (const auto& error : trace.program_errors) need(error.guard);
   for (const auto& placed : trace.placed) {
@@ -62,6 +62,10 @@ const char* requirement_text(ConstraintKind requirement) {
   return "";
 }
 
+const char* soft_text(Term::Strength strength) {
+  return strength == Term::Strength::kCost ? "cost" : "log_weight";
+}
+
 std::string domain_text(const Distribution& domain) {
   switch (domain.family) {
     case Distribution::Family::kFlip:
@@ -89,15 +93,16 @@ class TextPrinter {
     for (const NodeId node : nodes_of(graph_, trace)) {
       if (!graph_.node(node).is_constant()) define(node);
     }
-    for (const auto& required : trace.asserts) {
-      line(fmt::format("{}assert({});", condition(required.guard), name(required.condition)),
+    for (const Term& required : trace.hard_terms) {
+      line(fmt::format("{}assert({});", condition(required.guard), name(required.node)),
            fmt::format("{}{}", addresses_.text(required.address),
                        required.requirement == ConstraintKind::kAssert
                            ? (required.message.empty() ? "" : ": " + required.message)
                            : fmt::format(": {}", requirement_text(required.requirement))));
     }
-    for (const auto& wish : trace.wishes)
-      line(fmt::format("{}cost({});", condition(wish.guard), name(wish.cost)), addresses_.text(wish.address));
+    for (const Term& term : trace.soft_terms)
+      line(fmt::format("{}{}({});", condition(term.guard), soft_text(term.strength), name(term.node)),
+           addresses_.text(term.address));
     for (const auto& mistake : trace.program_errors)
       line(fmt::format("{}error;", condition(mistake.guard)), mistake.message);
     for (const auto& blocker : trace.blockers) {
@@ -199,12 +204,13 @@ std::string trace_dot(const Graph& graph, const AddressTable& addresses, const T
       text += fmt::format("  n{} -> e{} [label=guard, style=dashed];\n", guard.index, number);
     ++number;
   };
-  for (const auto& required : trace.asserts) {
+  for (const Term& required : trace.hard_terms) {
     effect(fmt::format("{}\n{}", requirement_text(required.requirement), addresses.text(required.address)),
-           required.guard, required.condition, "palegreen");
+           required.guard, required.node, "palegreen");
   }
-  for (const auto& wish : trace.wishes)
-    effect("cost\n" + addresses.text(wish.address), wish.guard, wish.cost, "plum");
+  for (const Term& term : trace.soft_terms)
+    effect(fmt::format("{}\n{}", soft_text(term.strength), addresses.text(term.address)), term.guard,
+           term.node, "plum");
   for (const auto& blocker : trace.blockers)
     effect("not explored\n" + addresses.text(blocker.side.branch), blocker.guard, kTrue, "lightgray");
   for (const auto& mistake : trace.program_errors)

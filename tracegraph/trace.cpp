@@ -1,6 +1,6 @@
 #include "tracegraph/trace.h"
 
-#include <iterator>
+#include <algorithm>
 
 namespace solitaire {
 namespace {
@@ -14,6 +14,11 @@ void append_guarded(std::vector<Effect>& to, std::vector<Effect>& from, NodeId e
 }
 
 }  // namespace
+
+bool Trace::has_costs() const {
+  return std::any_of(soft_terms.begin(), soft_terms.end(),
+                     [](const Term& term) { return term.strength == Term::Strength::kCost; });
+}
 
 TraceRecorder::TraceRecorder() { begin_segment(); }
 
@@ -66,8 +71,8 @@ Trace TraceRecorder::finish(Graph& graph) {
   for (SegmentId id = 0; id < segments_.size(); ++id) {
     Trace& part = segments_[id].trace;
     append_guarded(whole.choices, part.choices, entry[id], graph);
-    append_guarded(whole.asserts, part.asserts, entry[id], graph);
-    append_guarded(whole.wishes, part.wishes, entry[id], graph);
+    append_guarded(whole.hard_terms, part.hard_terms, entry[id], graph);
+    append_guarded(whole.soft_terms, part.soft_terms, entry[id], graph);
     append_guarded(whole.placed, part.placed, entry[id], graph);
     append_guarded(whole.blockers, part.blockers, entry[id], graph);
     append_guarded(whole.program_errors, part.program_errors, entry[id], graph);

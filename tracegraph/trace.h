@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/span.h"
@@ -28,23 +29,27 @@ enum class ConstraintKind : std::uint8_t {
   kDivisor,   // a divisor is not zero
 };
 
-/// What must hold in every solution: guard implies condition.
-struct TraceAssert {
+/// One contribution to what makes an execution a solution, or a good or likely one. It counts in the
+/// executions in which its guard holds.
+struct Term {
+  enum class Strength : std::uint8_t {
+    kHard,       // the node is a bool, and holds in every solution
+    kCost,       // the node is an int, and the sum of all costs should be small: prefer, minimize, maximize
+    kLogWeight,  // the node is a float, and is added to the logarithm of the execution's probability density
+  };
+
+  Strength strength = Strength::kHard;
   NodeId guard;
-  NodeId condition;
-  ConstraintKind requirement;
+  NodeId node;
   AddressId address;
-  Span span;            // of the condition; where asserts are taken apart, of a conjunct of it
+  Span span;  // of the expression; where asserts are taken apart, of one conjunct of the condition
+
+  // Hard terms have these in addition.
+  ConstraintKind requirement = ConstraintKind::kAssert;
   Span whole;           // of the whole condition
   std::string message;  // the author's, or ""
-};
 
-/// What a solution should rather cost little of: prefer, minimize and maximize.
-struct SoftConstraint {
-  NodeId guard;
-  NodeId cost;  // an int
-  AddressId address;
-  Span span;
+  bool is_hard() const { return strength == Strength::kHard; }
 };
 
 /// A thing put into the scene, with the nodes on which its place, size and looks depend.
@@ -86,12 +91,15 @@ struct TraceProgramError {
 /// What one symbolic evaluation found, in program order: section 4.1.5's trace graph, seen from its effects.
 struct Trace {
   std::vector<TraceChoice> choices;
-  std::vector<TraceAssert> asserts;
-  std::vector<SoftConstraint> wishes;
+  std::vector<Term> hard_terms;
+  std::vector<Term> soft_terms;  // costs and weights
   std::vector<TracePlaced> placed;
   std::vector<TraceBlocker> blockers;
   std::vector<TraceProgramError> program_errors;
   std::vector<NodeId> returned;  // on which the program's value depends
+
+  bool has_costs() const;
+  void add(Term term) { (term.is_hard() ? hard_terms : soft_terms).push_back(std::move(term)); }
 };
 
 /// Collects a Trace during an evaluation. Effects go into the current segment with guards that are relative
@@ -112,11 +120,10 @@ class TraceRecorder {
   void enter_segment(SegmentId callee, NodeId guard);
 
   void add(TraceChoice choice) { current().choices.push_back(std::move(choice)); }
-  void add(TraceAssert condition) { current().asserts.push_back(std::move(condition)); }
-  void add(SoftConstraint wish) { current().wishes.push_back(wish); }
+  void add(Term term) { current().add(std::move(term)); }
   void add(TracePlaced placed) { current().placed.push_back(std::move(placed)); }
   void add(TraceBlocker blocker) { current().blockers.push_back(std::move(blocker)); }
-  void add(TraceProgramError mistake) { current().program_errors.push_back(std::move(mistake)); }
+  void add(TraceProgramError error) { current().program_errors.push_back(std::move(error)); }
 
   Trace finish(Graph& graph);
 

@@ -27,7 +27,7 @@ void UniformEngine::explore() {
     ending_ = Ending::kUnexplored;
     return;
   }
-  if (!program_.trace().wishes.empty()) {
+  if (!program_.trace().soft_terms.empty()) {
     throw UnequalSolutions(
         "a program that prefers some of its solutions cannot be sampled uniformly: it has prefer, minimize "
         "or "

@@ -16,8 +16,7 @@ class Survey {
          AddressTable& addresses)
       : pins_(options.pins, addresses),
         choices_(pins_),
-        solver_(program, params, options, choices_, graph_, addresses,
-                [](const TraceAssert&) { return true; }) {}
+        solver_(program, params, options, choices_, graph_, addresses, [](const Term&) { return true; }) {}
 
   void run(const std::function<void(const ReachableValues&)>& told) {
     for (std::uint64_t i = 0; i < tuning::kSamplesOfValues; ++i) {

@@ -13,8 +13,8 @@ NodeId checked_objective(Graph& graph, const Trace& trace, bool relax) {
   try {
     return objective_of(graph, trace, relax);
   } catch (const IntegerTooLarge&) {
-    throw ProgramError(
-        Diagnostic{trace.wishes.front().span, "the cost of all wishes can grow past 62 bits", "", {}});
+    const auto first = std::ranges::find(trace.soft_terms, Term::Strength::kCost, &Term::strength);
+    throw ProgramError(Diagnostic{first->span, "the cost of all wishes can grow past 62 bits", "", {}});
   }
 }
 
@@ -50,7 +50,7 @@ Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_poin
 /// What a trace says of the cost is all there is to say only where no path is left unexplored.
 bool BestFirst::needs_no_search() const {
   const Trace& trace = solver_.trace();
-  return solver_.graph().node(objective_).is_constant() && (trace.blockers.empty() || trace.wishes.empty());
+  return solver_.graph().node(objective_).is_constant() && (trace.blockers.empty() || !trace.has_costs());
 }
 
 void BestFirst::limit_time(Clock::time_point start) {

@@ -14,7 +14,7 @@ TracingOptions going_on(TracingOptions options) {
   return options;
 }
 
-bool nothing_firm(const TraceAssert&) { return false; }
+bool nothing_firm(const Term&) { return false; }
 
 }  // namespace
 

@@ -32,10 +32,10 @@ std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pin
   std::map<AddressId, Distribution> domains;
   for (const TraceChoice& choice : trace.choices) domains.emplace(choice.address, choice.domain);
 
-  for (const TraceAssert& each : trace.asserts) {
+  for (const Term& each : trace.hard_terms) {
     Condition condition{each.requirement, each.address, each.span, each.whole, each.message, nullptr, {}};
-    if (is_end(each.requirement) && is_fixed(graph, each.condition)) condition.domain = domains[each.address];
-    add(std::move(condition), each.guard, graph.implication(each.guard, each.condition));
+    if (is_end(each.requirement) && is_fixed(graph, each.node)) condition.domain = domains[each.address];
+    add(std::move(condition), each.guard, graph.implication(each.guard, each.node));
   }
   for (const PinnedChoice& pinned : pinned_choices(graph, trace, pins)) {
     const TraceChoice& choice = *pinned.choice;

@@ -28,7 +28,7 @@ void Exclusion::add(Valuation values) {
 }
 
 bool Exclusion::tells_at_once() const {
-  const bool best_first = relax_ || !solver_.trace().wishes.empty();
+  const bool best_first = relax_ || solver_.trace().has_costs();
   return !diverse_ || method_.excludes_at_once() || best_first ||
          tuning::kRepeatsWorthTelling * repeated_ > known_.size() + tuning::kFewKnown;
 }

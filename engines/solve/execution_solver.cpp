@@ -43,9 +43,9 @@ void ExecutionSolver::sync() {
   if (synced_pass_ == explorer_.passes()) return;
   synced_pass_ = explorer_.passes();
   const Stopwatch watch(times_.encode);
-  for (const TraceAssert& condition : trace().asserts) {
-    if (!firm_(condition)) continue;
-    const NodeId required = graph_.implication(condition.guard, condition.condition);
+  for (const Term& term : trace().hard_terms) {
+    if (!firm_(term)) continue;
+    const NodeId required = graph_.implication(term.guard, term.node);
     if (required != kTrue && required_.insert(required.index).second) solver_->add_clause({&required, 1});
   }
   if (!options_.method->asserts_closed_sides()) return;

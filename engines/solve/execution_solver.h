@@ -33,7 +33,7 @@ class ExecutionSolver {
  public:
   /// Returns true for those of a trace's requirements that hold in every execution that is looked for. The
   /// others are the business of whoever asks.
-  using Firm = std::function<bool(const TraceAssert&)>;
+  using Firm = std::function<bool(const Term&)>;
 
   /// `choices` answers what is not to be left open. `stream` tells apart solvers of one seed.
   ExecutionSolver(const Program& program, ParamValues params, const TracingOptions& options, Choices& choices,

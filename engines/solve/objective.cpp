@@ -10,18 +10,20 @@ namespace {
 NodeId cost_of_wishes(Graph& graph, const Trace& trace) {
   const NodeId none = graph.constant(std::int64_t{0});
   std::vector<NodeId> costs;
-  for (const SoftConstraint& wish : trace.wishes) costs.push_back(graph.phi(wish.guard, wish.cost, none));
+  for (const Term& term : trace.soft_terms) {
+    if (term.strength == Term::Strength::kCost) costs.push_back(graph.phi(term.guard, term.node, none));
+  }
   return sum_of(graph, std::move(costs));
 }
 
 /// An assert is broken once, however many of its conjuncts are.
 NodeId broken_asserts(Graph& graph, const Trace& trace) {
   std::map<std::tuple<AddressId, std::uint32_t, std::uint32_t>, NodeId> broken;
-  for (const TraceAssert& part : trace.asserts) {
+  for (const Term& part : trace.hard_terms) {
     if (part.requirement != ConstraintKind::kAssert) continue;
     const auto key = std::tuple(part.address, part.whole.source, part.whole.begin);
     NodeId& whole = broken.try_emplace(key, kFalse).first->second;
-    whole = graph.disjunction(whole, graph.conjunction(part.guard, graph.negation(part.condition)));
+    whole = graph.disjunction(whole, graph.conjunction(part.guard, graph.negation(part.node)));
   }
   std::vector<NodeId> conditions;
   for (const auto& [key, condition] : broken) conditions.push_back(condition);

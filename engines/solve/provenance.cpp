@@ -55,7 +55,7 @@ void Provenance::add_object_choices(Solution& solution) {
 void Provenance::add_broken_choices(Solution& solution) {
   for (BrokenAssert& broken : solution.broken) {
     std::set<std::string> choices;
-    for (const TraceAssert& part : solver_.trace().asserts) {
+    for (const Term& part : solver_.trace().hard_terms) {
       if (part.span == broken.span && solver_.addresses().text(part.address) == broken.address)
         choices.merge(choices_below(part));
     }
@@ -64,10 +64,10 @@ void Provenance::add_broken_choices(Solution& solution) {
 }
 
 /// Returns the addresses of the choices that an assert depends on.
-std::set<std::string> Provenance::choices_below(const TraceAssert& part) {
+std::set<std::string> Provenance::choices_below(const Term& part) {
   AddressTable& addresses = solver_.addresses();
   std::set<std::string> below;
-  for (const std::size_t number : variables_below(solver_.graph(), {&part.condition, 1}))
+  for (const std::size_t number : variables_below(solver_.graph(), {&part.node, 1}))
     below.insert(addresses.text(solver_.graph().variables()[number].address));
   if (!below.empty()) return below;
   if (!wide_) wide_ = std::make_unique<WideTrace>(program_, params_, options_, pins_, addresses);

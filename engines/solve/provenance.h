@@ -23,7 +23,7 @@ class Provenance {
 
  private:
   class WideTrace;
-  std::set<std::string> choices_below(const TraceAssert& part);
+  std::set<std::string> choices_below(const Term& part);
 
   const Program& program_;
   const ParamValues& params_;

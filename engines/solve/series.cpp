@@ -32,7 +32,7 @@ void Series::explore() {
   if (manner_ != Manner::kUnknown) return;
   if (!tracing_.diverse) {
     manner_ = Manner::kEnumeration;
-  } else if (tracing_.relax || tracing_.min_distance.any() || !engine_->traced().trace().wishes.empty()) {
+  } else if (tracing_.relax || tracing_.min_distance.any() || engine_->traced().trace().has_costs()) {
     manner_ = Manner::kBestFirst;
   } else {
     manner_ = Manner::kBlocks;

@@ -14,9 +14,7 @@ namespace {
 
 /// Returns true for what must hold in every execution: asserts may be broken if `relax` says so.
 ExecutionSolver::Firm firmness(bool relax) {
-  return [relax](const TraceAssert& condition) {
-    return !relax || condition.requirement != ConstraintKind::kAssert;
-  };
+  return [relax](const Term& term) { return !relax || term.requirement != ConstraintKind::kAssert; };
 }
 
 TracingOptions for_solver(TracingOptions options, const StopSignal& stop) {
@@ -94,8 +92,7 @@ Solution TracedProgram::solution(Execution execution) {
   const std::size_t wishes = execution.wishes.size();
   const std::int64_t cost = execution.cost;
   Solution solution = solution_of(std::move(execution), addresses_);
-  if (options_.relax || !trace().wishes.empty())
-    solution.quality = Quality{count_broken(solution), wishes, cost};
+  if (options_.relax || trace().has_costs()) solution.quality = Quality{count_broken(solution), wishes, cost};
   if (options_.scene == SceneDetail::kProvenance) provenance_.add_object_choices(solution);
   provenance_.add_broken_choices(solution);
   return solution;

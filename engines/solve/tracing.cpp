@@ -115,7 +115,7 @@ void TracingEngine::remember(Valuation values) {
 
 /// Returns true where solutions are all as good, and no path is left unexplored.
 bool TracingEngine::can_enumerate() const {
-  return may_enumerate_ && traced_.trace().blockers.empty() && traced_.trace().wishes.empty();
+  return may_enumerate_ && traced_.trace().blockers.empty() && !traced_.trace().has_costs();
 }
 
 /// Returns nothing if there is no solution left, or another way has to find it.

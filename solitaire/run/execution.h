@@ -45,7 +45,7 @@ struct Placement {
 /// Why an execution was ruled out.
 struct Rejection {
   ConstraintKind requirement = ConstraintKind::kAssert;
-  Span span;  // as of a TraceAssert
+  Span span;  // of a conjunct of the condition, as in a Term
   Span whole;
   std::string address;
   std::string message;  // the author's, or ""

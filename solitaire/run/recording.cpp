@@ -7,6 +7,15 @@ namespace {
 
 std::string text_of(const std::string* message) { return message == nullptr ? std::string() : *message; }
 
+Term term_of(const Constraint& constraint, NodeId guard, NodeId condition) {
+  return {Term::Strength::kHard, guard,           condition,        constraint.address,
+          constraint.span,       constraint.kind, constraint.whole, text_of(constraint.message)};
+}
+
+Term cost_term(AddressId address, Span span, NodeId guard, NodeId cost) {
+  return {Term::Strength::kCost, guard, cost, address, span, {}, {}, {}};
+}
+
 }  // namespace
 
 // ---- an execution
@@ -57,12 +66,11 @@ void TracedEffects::choice(const TraceChoice& choice, const Value& value) {
 
 void TracedEffects::constraint(const Constraint& constraint, const Value& condition) {
   ExecutionEffects::constraint(constraint, condition);
-  traced_.trace.asserts.push_back({kTrue, node_of(graph_, condition), constraint.kind, constraint.address,
-                                   constraint.span, constraint.whole, text_of(constraint.message)});
+  traced_.trace.add(term_of(constraint, kTrue, node_of(graph_, condition)));
 }
 
 bool TracedEffects::wish(AddressId address, Span span, const Value& cost) {
-  traced_.trace.wishes.push_back({kTrue, node_of(graph_, cost), address, span});
+  traced_.trace.add(cost_term(address, span, kTrue, node_of(graph_, cost)));
   return ExecutionEffects::wish(address, span, cost);
 }
 
@@ -87,12 +95,11 @@ void SymbolicEffects::choice(const TraceChoice& choice, const Value& value) {
 }
 
 void SymbolicEffects::constraint(const Constraint& constraint, const Value& condition) {
-  recorder_.add(TraceAssert{path_.guard(), node_of(graph_, condition), constraint.kind, constraint.address,
-                            constraint.span, constraint.whole, text_of(constraint.message)});
+  recorder_.add(term_of(constraint, path_.guard(), node_of(graph_, condition)));
 }
 
 bool SymbolicEffects::wish(AddressId address, Span span, const Value& cost) {
-  recorder_.add(SoftConstraint{path_.guard(), node_of(graph_, cost), address, span});
+  recorder_.add(cost_term(address, span, path_.guard(), node_of(graph_, cost)));
   return true;
 }
 

@@ -71,8 +71,8 @@ bool is_covered(const Trace& trace, Assignment& assignment) {
                         [&](const auto& effect) { return assignment.holds(effect.guard); });
   };
   return none(trace.blockers) && none(trace.program_errors) &&
-         std::all_of(trace.asserts.begin(), trace.asserts.end(), [&](const TraceAssert& required) {
-           return !assignment.holds(required.guard) || assignment.holds(required.condition);
+         std::all_of(trace.hard_terms.begin(), trace.hard_terms.end(), [&](const Term& required) {
+           return !assignment.holds(required.guard) || assignment.holds(required.node);
          });
 }
 
@@ -112,11 +112,11 @@ std::optional<Execution> read_execution(const Program& program, const SymbolicPa
     execution.choices.push_back(
         {choice.address, choice.domain, choice.domain.typed(assignment.value(choice.variable)->i)});
   }
-  for (const SoftConstraint& wish : trace.wishes) {
-    if (!assignment.holds(wish.guard)) continue;
-    const std::optional<Scalar> cost = assignment.value(wish.cost);
+  for (const Term& term : trace.soft_terms) {
+    if (term.strength != Term::Strength::kCost || !assignment.holds(term.guard)) continue;
+    const std::optional<Scalar> cost = assignment.value(term.node);
     if (!cost) return std::nullopt;
-    execution.wishes.push_back({cost->i, wish.span, "", wish.address});
+    execution.wishes.push_back({cost->i, term.span, "", term.address});
     execution.cost += cost->i;
   }
   std::optional<Value> value = value_under(assignment, pass.value);
