@@ -87,10 +87,6 @@ void MeshBuilder::add_box(const Box3& box, const Affine& map) {
   }
 }
 
-void MeshBuilder::move(const Vec3& by) {
-  for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] += static_cast<float>(by[i % 3]);
-}
-
 Box3 MeshBuilder::box() const {
   Box3 box;
   for (std::size_t i = 0; i < positions_.size(); i += 3) {

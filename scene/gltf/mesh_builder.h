@@ -16,7 +16,6 @@ class MeshBuilder {
   void face(const std::vector<Vec3>& corners, const std::vector<Vec3>& normals);
   void add_box(const Box3& box, const Affine& map = {});
 
-  void move(const Vec3& by);
   Box3 box() const;  // of everything so far
 
   /// Returns the primitive after adding its accessors to the model, whose first buffer takes the data.
