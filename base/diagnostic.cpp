@@ -9,9 +9,10 @@ namespace {
 
 constexpr std::size_t kWidestLine = 160;
 
-/// Returns the start of a line with tabs as single spaces, so that the caret stands below what it means.
+/// Returns the start of a line with tabs as single spaces, so that the caret stands below what it means, and
+/// with a sign in the place of what is no UTF-8.
 std::string shown_line(std::string_view line) {
-  std::string shown(line.substr(0, kWidestLine));
+  std::string shown = mended_utf8(line.substr(0, kWidestLine));
   for (char& c : shown) {
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   }

@@ -26,12 +26,13 @@ bool same_letters(std::string a, std::string b) {
   return a == b;
 }
 
-}  // namespace
-
-std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
+/// Returns the candidate that is nearest, if one is nearer than the distance.
+std::string nearer_than(std::size_t best_distance, std::string_view name,
+                        const std::vector<std::string>& candidates) {
   std::string best;
-  std::size_t best_distance = name.size() <= 3 ? 2 : 3;  // only what is nearer than this
   for (const std::string& candidate : candidates) {
+    const auto [shorter, longer] = std::minmax(name.size(), candidate.size());
+    if (longer - shorter >= best_distance) continue;
     std::size_t distance = edit_distance(name, candidate);
     if (distance == 2 && same_letters(std::string(name), candidate)) distance = 1;  // two letters swapped
     if (distance < best_distance && distance < candidate.size()) {
@@ -40,6 +41,16 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
     }
   }
   return best;
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
+  return nearer_than(name.size() <= 3 ? 2 : 3, name, candidates);
+}
+
+std::string misspelled_name(std::string_view name, const std::vector<std::string>& candidates) {
+  return nearer_than(2, name, candidates);
 }
 
 std::vector<std::string> nearest_names(std::string_view name, std::vector<std::string> candidates,

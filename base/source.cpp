@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
+#include <utf8.h>
 #include <utility>
 
 namespace solitaire {
@@ -53,6 +55,16 @@ std::string SourceSet::place(Span span) const {
 std::size_t count_characters(std::string_view utf8) {
   const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
   return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), starts_character));
+}
+
+std::size_t find_broken_utf8(std::string_view text) {
+  return static_cast<std::size_t>(utf8::find_invalid(text.begin(), text.end()) - text.begin());
+}
+
+std::string mended_utf8(std::string_view text) {
+  std::string mended;
+  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(mended));
+  return mended;
 }
 
 }  // namespace solitaire

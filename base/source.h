@@ -58,4 +58,10 @@ class SourceSet {
 /// Counts the characters, not the bytes, of UTF-8 text; broken bytes count as one each.
 std::size_t count_characters(std::string_view utf8);
 
+/// Returns where the first byte stands that makes a text no UTF-8; the text's length if there is none.
+std::size_t find_broken_utf8(std::string_view text);
+
+/// Returns the text with U+FFFD in the place of what is no UTF-8.
+std::string mended_utf8(std::string_view text);
+
 }  // namespace solitaire

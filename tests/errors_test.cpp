@@ -149,6 +149,13 @@ TEST_CASE("errors: a long line is shown only where that helps") {
   CHECK(both_ways("y; " + repeat("x = 1; ", 1000)).size() < 500);
 }
 
+TEST_CASE("errors: a name is no longer than somebody can read") {
+  CHECK(both_ways(repeat("a", 1000) + " = 1;") == "");
+  CHECK(both_ways("x = " + repeat("a", 10'000'000) + ";").size() < 3000);
+  CHECK(first_line(both_ways(repeat("a", 10'000'000) + " = 1;")) ==
+        "test.sol:1:1: error: this name has 10000000 letters");
+}
+
 TEST_CASE("errors: many are cut off at a number that somebody can read") {
   const std::string found = both_ways(repeat("nobody;\n", 1000));
   CHECK(std::count(found.begin(), found.end(), '\n') == 20 * 3);
@@ -161,12 +168,18 @@ TEST_CASE("errors: carets count characters, whatever the bytes are") {
         "test.sol:1:8: error: there is no 'y' here\n  1 | s = 1; y;\n    |        ^\n");
   CHECK(both_ways("x = 1;\r\ny;\r\n") == "test.sol:2:1: error: there is no 'y' here\n  2 | y;\n    | ^\n");
   CHECK(both_ways("\xEF\xBB\xBFx = 1;") == "");  // a byte order mark
-  CHECK(first_line(both_ways("x = \xff\xfe;")) == "test.sol:1:5: error: unexpected character '\xff'");
+  CHECK(both_ways("x = \xff\xfe;")
+            .rfind("test.sol:1:5: error: this file is not UTF-8: it has the byte \\xff here\n"
+                   "  1 | x = \xEF\xBF\xBD\xEF\xBF\xBD;\n    |     ^\n  help: save it as UTF-8\n",
+                   0) == 0);
   CHECK(first_line(both_ways("x = \x01;")) == "test.sol:1:5: error: unexpected character '\\x01'");
   CHECK(first_line(both_ways(std::string("x = 1;\0", 7))) ==
         "test.sol:1:7: error: unexpected character '\\x00'");
   CHECK(first_line(both_ways("x = ü;")) == "test.sol:1:5: error: unexpected character 'ü'");
-  CHECK(both_ways("s = \"\xff\";") == "");  // strings may hold any bytes
+  CHECK(first_line(both_ways("s = \"Tisch \xf6\";")) ==
+        "test.sol:1:12: error: this file is not UTF-8: it has the byte \\xf6 here");
+  CHECK(first_line(both_ways("// \xf6")) ==
+        "test.sol:1:4: error: this file is not UTF-8: it has the byte \\xf6 here");
   CHECK(first_line(both_ways("")) == "");
 }
 
@@ -194,6 +207,19 @@ TEST_CASE("errors: endless loops and recursion end at limits that can be set") {
         "test.sol:1:5: error: this runs for more than 1000 steps");
   CHECK(both_ways("fun f(n) { if n == 0 then return 0 else return f(n - 1); }\nassert(f(40) == 0);",
                   limits) == "");
+}
+
+TEST_CASE("errors: lists that share their elements count with all of them") {
+  const std::string shared = "x = [1]; y = [1];\nfor i in 1..60 { x = [x, x]; y = [y, y]; }\n";
+  Limits limits;
+  limits.max_steps = 100'000;
+  for (const std::string last : {"z = x == y;", "z = distinct([x, y]);", "z = contains([x], y);",
+                                 "z = str(x);", "print(x);", "return x;", "place(\"box\", note: x);"}) {
+    CAPTURE(last);
+    CHECK(first_line(both_ways(shared + last, limits)).find("this runs for more than 100000 steps") !=
+          std::string::npos);
+  }
+  CHECK(both_ways(shared + "z = x == x;") != "");
 }
 
 TEST_CASE("errors: recursion as deep as the default limit allows fits the stack") {

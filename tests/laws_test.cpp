@@ -82,6 +82,9 @@ bool is_int(Result result, Wide wanted) {
   return result.has_value() == fits && (!fits || result->i == wanted);
 }
 bool is_bool(Result result, bool wanted) { return result && result->i == (wanted ? 1 : 0); }
+bool is_finite(Result result, double wanted) {
+  return result.has_value() == std::isfinite(wanted) && (!result || result->f == wanted);
+}
 bool is_float(Result result, double wanted) {
   return result && (result->f == wanted || (std::isnan(result->f) && std::isnan(wanted)));
 }
@@ -164,13 +167,13 @@ bool means(Op op, const Scalar* x, Result result) {
       if (!result) return !(std::abs(f) <= 9007199254740992.0);
       return static_cast<double>(result->i) <= f && f - static_cast<double>(result->i) < 1;
     case Op::kAddFloat:
-      return is_float(result, f + g);
+      return is_finite(result, f + g);
     case Op::kSubFloat:
-      return is_float(result, f - g);
+      return is_finite(result, f - g);
     case Op::kMulFloat:
-      return is_float(result, f * g);
+      return is_finite(result, f * g);
     case Op::kDivFloat:
-      return g == 0 ? !result : is_float(result, f / g);
+      return g == 0 ? !result : is_finite(result, f / g);
     case Op::kNegFloat:
       return is_float(result, 0 - f);
     case Op::kMinFloat:

@@ -38,9 +38,15 @@ Result floor_exactly(double value) {
   return Scalar::of(static_cast<std::int64_t>(floor));
 }
 
+/// Gives nothing where a result is past the largest float.
+Result finite(double value) {
+  if (!std::isfinite(value)) return std::nullopt;
+  return Scalar::of(value);
+}
+
 Result divide_float(double a, double b) {
   if (b == 0) return std::nullopt;
-  return Scalar::of(a / b);
+  return finite(a / b);
 }
 
 /// Gives nothing where a function is undefined although none of its operands is.
@@ -113,9 +119,9 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kToFloat, "float", "", 1, kI, kF, [](S a) -> Result { return Scalar::of(static_cast<double>(a[0].i)); }, nullptr},
     {Op::kFloor, "floor", "", 1, kF, kI, [](S a) { return floor_exactly(a[0].f); },
      [](I) { return Interval{-static_cast<std::int64_t>(kFloorLimit), static_cast<std::int64_t>(kFloorLimit)}; }},
-    {Op::kAddFloat, "fadd", "+", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f + a[1].f); }, nullptr, kCommutative, [](S, double, P d) { d[0] = 1; d[1] = 1; }},
-    {Op::kSubFloat, "fsub", "-", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f - a[1].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = 1; d[1] = -1; }},
-    {Op::kMulFloat, "fmul", "*", 2, kF, kF, [](S a) -> Result { return Scalar::of(a[0].f * a[1].f); }, nullptr, kCommutative, [](S a, double, P d) { d[0] = a[1].f; d[1] = a[0].f; }},
+    {Op::kAddFloat, "fadd", "+", 2, kF, kF, [](S a) { return finite(a[0].f + a[1].f); }, nullptr, kCommutative, [](S, double, P d) { d[0] = 1; d[1] = 1; }},
+    {Op::kSubFloat, "fsub", "-", 2, kF, kF, [](S a) { return finite(a[0].f - a[1].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = 1; d[1] = -1; }},
+    {Op::kMulFloat, "fmul", "*", 2, kF, kF, [](S a) { return finite(a[0].f * a[1].f); }, nullptr, kCommutative, [](S a, double, P d) { d[0] = a[1].f; d[1] = a[0].f; }},
     {Op::kDivFloat, "fdiv", "/", 2, kF, kF, [](S a) { return divide_float(a[0].f, a[1].f); }, nullptr, kOrdered, [](S a, double r, P d) { d[0] = 1 / a[1].f; d[1] = -r / a[1].f; }},
     {Op::kNegFloat, "fneg", "-", 1, kF, kF, [](S a) -> Result { return Scalar::of(-a[0].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = -1; }},
     {Op::kMinFloat, "fmin", "", 2, kF, kF, [](S a) -> Result { return a[1].f < a[0].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[1].f < a[0].f), d); }},

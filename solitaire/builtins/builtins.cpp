@@ -107,12 +107,10 @@ Value choose(Evaluator& evaluator, Call call) {
 Value assert_(Evaluator& evaluator, Call call) {
   const Span span = argument_span(call, 0);
   const Value condition = evaluator.condition(call.arguments[0], span);
+  if (given(call.arguments[1])) evaluator.check_message(call.arguments[1], argument_span(call, 1));
   if (const bool* known = condition.plain<bool>(); known != nullptr && *known) return Value::nil();
   std::string message;
-  if (given(call.arguments[1])) {
-    const String* text = call.arguments[1].object<String>();
-    message = text != nullptr ? text->text : to_text(call.arguments[1]);
-  }
+  if (given(call.arguments[1])) message = message_of(call.arguments[1]);
   evaluator.require(condition, ConstraintKind::kAssert, span, &message);
   return Value::nil();
 }
@@ -154,7 +152,7 @@ Value extreme(Evaluator& evaluator, Call call, Op op) {
   const Span span = call.site.span;
   const auto fold = [&](Items items) -> Value {
     if (items.empty()) evaluator.reject(ConstraintKind::kNotEmpty, span);
-    Value best = items.front();
+    Value best = evaluator.pick(op, items.front(), items.front(), span);  // an error if it is no number
     for (std::size_t i = 1; i < items.size(); ++i) best = evaluator.pick(op, best, items[i], span);
     return best;
   };
@@ -264,7 +262,8 @@ Value sum(Evaluator& evaluator, Call call) {
 Value contains(Evaluator& evaluator, Call call) {
   return evaluator.with_items(call.arguments[0], "contains", argument_span(call, 0), [&](Items items) {
     Value found = false;
-    for (const Value& item : items) found = evaluator.either(found, evaluator.equal(item, call.arguments[1]));
+    for (const Value& item : items)
+      found = evaluator.either(found, evaluator.equal(item, call.arguments[1], call.site.span));
     return found;
   });
 }
@@ -275,7 +274,8 @@ Value distinct(Evaluator& evaluator, Call call) {
     Value differ = true;
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        differ = evaluator.both(differ, evaluator.invert(evaluator.equal(items[i], items[j])));
+        differ =
+            evaluator.both(differ, evaluator.invert(evaluator.equal(items[i], items[j], call.site.span)));
       }
     }
     return differ;
@@ -350,6 +350,7 @@ constexpr std::int64_t kMostChosenTexts = 256;
 Value str(Evaluator& evaluator, Call call) {
   return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
     if (x.object<String>() != nullptr) return x;
+    evaluator.count_parts(x, call.site.span);
     const Symbol* symbol = x.get<Symbol>();
     if (symbol == nullptr && is_known(x)) return Value::string(to_text(evaluator.fixed(x, call.site.span)));
     if (symbol == nullptr) return evaluator.opaque_string(call.site.span);
@@ -371,6 +372,7 @@ Value str(Evaluator& evaluator, Call call) {
 
 Value print(Evaluator& evaluator, Call call) {
   evaluator.effects().needs_execution();
+  for (const Value& value : call.arguments) evaluator.count_parts(value, call.site.span);
   evaluator.effects().print(call.arguments);
   return Value::nil();
 }
@@ -406,6 +408,7 @@ class PathChecks : public PlacementChecks {
 
 Value place(Evaluator& evaluator, Call call) {
   PathChecks checks(evaluator, call.site.span);
+  for (const auto& [name, value] : call.extras) evaluator.count_parts(value, call.site.span);
   evaluator.place(read_placement(call, checks), call);
   return Value::nil();
 }

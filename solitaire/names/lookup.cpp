@@ -15,6 +15,18 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Returns what to write for what other languages call like this; "" if it is nothing that is known.
+std::string help_for_foreign_name(std::string_view name) {
+  if (is_one_of(name, {"None", "null", "undefined"})) return "the value for nothing is nil";
+  if (is_one_of(name, {"True", "False"})) return "the bools are true and false";
+  if (is_one_of(name, {"map", "filter"})) return "write [f(x) for x in list if condition]";
+  if (is_one_of(name, {"len", "size"})) return "write length(list)";
+  if (is_one_of(name, {"int", "float"}))
+    return "floor(x) makes an int of a float, and 1.0 * x a float of an int";
+  if (is_one_of(name, {"random", "randint", "rand"})) return "range(lo, hi) chooses an int";
+  return "";
+}
+
 bool was_skipped(const Module& module, const std::string& name) {
   const std::vector<std::string>& skipped = module.tree.skipped_names;
   return std::binary_search(skipped.begin(), skipped.end(), name);
@@ -59,9 +71,9 @@ void Lookup::report_unknown(const Scope& scope, const NameExpr& node, Diagnostic
                            "choose among ints with range(lo, hi)");
   }
   if (may_be_unread(node.name) || diagnostics.is_full()) return;
-  std::string help;
-  if (is_one_of(node.name, {"None", "null", "undefined"})) {
-    help = "the value for nothing is nil";
+  std::string help = help_for_foreign_name(node.name);
+  if (!help.empty()) {
+    // it says what to write
   } else if (const std::string nearest = nearest_name(node.name, visible_names(scope)); !nearest.empty()) {
     help = fmt::format("did you mean '{}'?", nearest);
   }

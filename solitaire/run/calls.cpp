@@ -12,6 +12,23 @@ bool by_position(const CallExpr& site) {
                      [](const Argument& argument) { return argument.name.empty(); });
 }
 
+/// Names of other systems for what a builtin that takes extras calls otherwise.
+constexpr std::pair<std::string_view, std::string_view> kForeignParameters[] = {
+    {"rotation", "turn"},   {"rotate", "turn"}, {"orientation", "turn"}, {"degrees", "angle"},
+    {"scale", "size"},      {"width", "size"},  {"depth", "size"},       {"height", "size"},
+    {"dimensions", "size"}, {"position", "at"}, {"pos", "at"},           {"location", "at"},
+    {"translation", "at"},  {"model", "asset"}, {"label", "name"},
+};
+
+/// The parameter that a further name was probably meant to be; "" if it is a name of its own. Only what is a
+/// letter away counts as misspelled: `note` is two away from `name`.
+std::string meant_parameter(const Builtin& builtin, std::string_view name) {
+  for (const auto& [foreign, meant] : kForeignParameters) {
+    if (foreign == name) return std::string(meant);
+  }
+  return misspelled_name(name, {builtin.parameters.begin(), builtin.parameters.end()});
+}
+
 bool is_assert(const Value& callee) {
   const auto* builtin = callee.get<Value::BuiltinRef>();
   return builtin != nullptr && (*builtin)->name == "assert";
@@ -284,12 +301,11 @@ Value Walk::call_builtin(const Builtin& builtin, const CallExpr& site, std::vect
         program_error(argument->name_span, fmt::format("'{}' is given twice", argument->name));
       slot = std::move(value);
     } else if (builtin.takes_extras) {
-      const std::string nearest =
-          nearest_name(argument->name, {builtin.parameters.begin(), builtin.parameters.end()});
-      if (!nearest.empty()) {
+      const std::string meant = meant_parameter(builtin, argument->name);
+      if (!meant.empty()) {
         program_error(argument->name_span,
                       fmt::format("'{}' has no parameter '{}'", builtin.name, argument->name),
-                      fmt::format("did you mean '{}'?", nearest));
+                      fmt::format("did you mean '{}'?", meant));
       }
       extras.emplace_back(argument->name, std::move(value));
     } else {

@@ -122,6 +122,16 @@ void Evaluator::wish(const Value& cost, const CallExpr& site) {
     program_error(site.span, "the cost of all wishes grows past 62 bits");
 }
 
+void Evaluator::check_message(const Value& message, Span span) {
+  each_shape(message, [&](const Value& one) {
+    if (one.object<String>() == nullptr) {
+      program_error(span, fmt::format("the message of an assert is a string, not {}", describe(one)),
+                    one.has_type(Type::kBool) ? "for two conditions, write assert(a and b)" : "");
+    }
+    return Value::nil();
+  });
+}
+
 void Evaluator::place(Placement placement, const BuiltinCall& call) {
   placement.id = address_of(call.site.site);
   placement.span = call.site.span;

@@ -17,6 +17,8 @@ class Evaluator : public Structures {
   /// A wish of the program: executions that come here cost so much, an int.
   void wish(const Value& cost, const CallExpr& site);
   void place(Placement placement, const BuiltinCall& call);
+  /// Reports what stands in the place of an assert's message and is no text.
+  void check_message(const Value& message, Span span);
 
  protected:
   using Structures::Structures;
@@ -29,5 +31,11 @@ class Evaluator : public Structures {
   TypedScalar answered(AddressId address, const Distribution& domain);
   void require_between(const Value& variable, const Value& lo, const Value& hi, Span span, AddressId address);
 };
+
+/// What an assert says of itself.
+inline std::string message_of(const Value& message) {
+  const auto* text = message.object<String>();
+  return text != nullptr ? text->text : to_text(message);
+}
 
 }  // namespace solitaire

@@ -121,9 +121,9 @@ Value Walk::binary_expression(const BinaryExpr& node) {
   const Value& right = operand(*node.right, rights);
   switch (node.op) {
     case BinaryOp::kEqual:
-      return equal(left, right);
+      return equal(left, right, node.span);
     case BinaryOp::kNotEqual:
-      return invert(equal(left, right));
+      return invert(equal(left, right, node.span));
     case BinaryOp::kLess:
     case BinaryOp::kLessEqual:
     case BinaryOp::kGreater:
@@ -164,7 +164,8 @@ bool Walk::assert_apart(const CallExpr& node) {
   std::string message;
   if (given.size() == 2) {
     const Value why = expression(*given[1].value);
-    message = why.object<String>() != nullptr ? why.object<String>()->text : to_text(why);
+    check_message(why, given[1].value->span);
+    message = message_of(why);
   }
   assert_conjuncts(*given[0].value, given[0].value->span, message);
   return true;

@@ -1,5 +1,6 @@
 #include "solitaire/run/operators.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace solitaire {
@@ -60,6 +61,13 @@ Value without_node(const Value& value) {
   return *value.get<double>();
 }
 
+/// Returns the int of the language that is the same number, if there is one.
+std::optional<std::int64_t> int_of(double number) {
+  constexpr double kPastAll = 0x1p62;
+  if (!(std::abs(number) < kPastAll) || number != std::floor(number)) return std::nullopt;
+  return static_cast<std::int64_t>(number);
+}
+
 constexpr std::size_t kMostOperands = 2;
 
 /// How deep lists and records may nest in each other.
@@ -86,8 +94,10 @@ Value Operators::fold(Op op, std::span<const Value> operands, Span span) {
   Scalar scalars[kMostOperands] = {};
   for (std::size_t i = 0; i < operands.size(); ++i) scalars[i] = scalar_of(operands[i]);
   const auto result = row.fold(scalars);
-  if (!result && operands.size() == 1 && row.operand == Type::kFloat)
+  if (!result && row.operand == Type::kFloat) {
+    if (operands.size() == 2) program_error(span, "this float grows past the largest one, about 1.8e308");
     program_error(span, fmt::format("'{}' of {} has no value", row.name, to_text(operands[0])));
+  }
   if (!result) too_large(span);
   return value_of_scalar(row.result, *result);
 }
@@ -212,27 +222,34 @@ Value Operators::compare(BinaryOp op, const Value& a, const Value& b, Span span)
   if (left.has_type(Type::kInt) && right.has_type(Type::kInt)) {
     return int_operation(strict ? Op::kLtInt : Op::kLeInt, left, right, span);
   }
+  if (const double* known = right.plain<double>(); known != nullptr && left.has_type(Type::kInt))
+    return int_below(left, *known, strict, span);
+  if (const double* known = left.plain<double>(); known != nullptr && right.has_type(Type::kInt))
+    return int_above(right, *known, strict, span);
   return binary(strict ? Op::kLtFloat : Op::kLeFloat, to_float(left, span), to_float(right, span), span);
 }
 
-Value Operators::equal(const Value& a, const Value& b) {
-  if (a.as_union() == nullptr && b.as_union() == nullptr) return equal_shaped(a, b);
-  return each_shape(
-      a, [&](const Value& x) { return each_shape(b, [&](const Value& y) { return equal_shaped(x, y); }); });
+Value Operators::equal(const Value& a, const Value& b, Span span) {
+  if (a.as_union() == nullptr && b.as_union() == nullptr) return equal_shaped(a, b, span);
+  return each_shape(a, [&](const Value& x) {
+    return each_shape(b, [&](const Value& y) { return equal_shaped(x, y, span); });
+  });
 }
 
-Value Operators::equal_shaped(const Value& a, const Value& b) {
+Value Operators::equal_shaped(const Value& a, const Value& b, Span span) {
   if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_operation(Op::kEqInt, a, b, {});
   if (a.is_number() && b.is_number()) {
+    if (a.has_type(Type::kInt) && b.plain<double>() != nullptr) return int_equals(a, *b.plain<double>());
+    if (b.has_type(Type::kInt) && a.plain<double>() != nullptr) return int_equals(b, *a.plain<double>());
     return binary(Op::kEqFloat, to_float(a, {}), to_float(b, {}), {});
   }
   if (a.has_type(Type::kBool) && b.has_type(Type::kBool)) return binary(Op::kEqBool, a, b, {});
   if (const List* list = a.as_list(); list != nullptr && b.as_list() != nullptr) {
-    return equal_members(list->items, b.as_list()->items);
+    return equal_members(list->items, b.as_list()->items, span);
   }
   if (const Record* record = a.object<Record>(); record != nullptr && b.object<Record>() != nullptr) {
     const Record* other = b.object<Record>();
-    return record->type == other->type ? equal_members(record->fields, other->fields) : Value(false);
+    return record->type == other->type ? equal_members(record->fields, other->fields, span) : Value(false);
   }
   if (a.object<String>() != nullptr && b.object<String>() != nullptr) {
     check_known(a);
@@ -241,14 +258,30 @@ Value Operators::equal_shaped(const Value& a, const Value& b) {
   return same(a, b);
 }
 
-Value Operators::equal_members(const std::vector<Value>& a, const std::vector<Value>& b) {
+Value Operators::equal_members(const std::vector<Value>& a, const std::vector<Value>& b, Span span) {
   if (a.size() != b.size()) return false;
   Value all = true;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    all = both(all, equal(a[i], b[i]));
+    step(span);
+    all = both(all, equal(a[i], b[i], span));
     if (const bool* known = all.plain<bool>(); known != nullptr && !*known) return false;
   }
   return all;
+}
+
+Value Operators::int_equals(const Value& a, double b) {
+  const std::optional<std::int64_t> same = int_of(b);
+  return same ? int_operation(Op::kEqInt, a, *same, {}) : Value(false);
+}
+
+Value Operators::int_below(const Value& a, double b, bool strict, Span span) {
+  const std::optional<std::int64_t> end = int_of(strict ? std::ceil(b) : std::floor(b));
+  return end ? int_operation(strict ? Op::kLtInt : Op::kLeInt, a, *end, span) : Value(b > 0);
+}
+
+Value Operators::int_above(const Value& a, double b, bool strict, Span span) {
+  const std::optional<std::int64_t> end = int_of(strict ? std::floor(b) : std::ceil(b));
+  return end ? int_operation(strict ? Op::kLtInt : Op::kLeInt, *end, a, span) : Value(b < 0);
 }
 
 // ---- conditions and selection

@@ -10,8 +10,8 @@ class Operators : public Constraints {
   Value arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
   Value negated(const Value& value, Span span);
   Value compare(BinaryOp op, const Value& a, const Value& b, Span span);
-  /// Structural equality, as a bool.
-  Value equal(const Value& a, const Value& b);
+  /// Structural equality, as a bool. It takes a step for each pair of members, which count at `span`.
+  Value equal(const Value& a, const Value& b, Span span = {});
   Value invert(const Value& condition);
   Value opaque_string(Span span);
   /// For what needs to know what a string says.
@@ -62,8 +62,12 @@ class Operators : public Constraints {
   NodeId node_of_operation(Op op, std::span<const Value> operands, Span span);
   std::vector<Value> select_members(const Value& condition, const std::vector<Value>& a,
                                     const std::vector<Value>& b, Span span);
-  Value equal_shaped(const Value& a, const Value& b);
-  Value equal_members(const std::vector<Value>& a, const std::vector<Value>& b);
+  Value equal_shaped(const Value& a, const Value& b, Span span);
+  Value equal_members(const std::vector<Value>& a, const std::vector<Value>& b, Span span);
+  /// An int, constant or not, against a constant float: exactly, without making a float of the int.
+  Value int_equals(const Value& a, double b);
+  Value int_below(const Value& a, double b, bool strict, Span span);
+  Value int_above(const Value& a, double b, bool strict, Span span);
   [[noreturn]] void too_large(Span span);
 };
 

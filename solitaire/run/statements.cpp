@@ -90,6 +90,7 @@ bool Walk::return_statement(const ReturnStmt& node) {
     for (const ExprPtr& each : node.values) values.push_back(expression(*each));
     value = make_list(std::move(values), node.span);
   }
+  if (current_->call == nullptr) count_parts(value, node.span);  // all of a solution's value is written
   add_exit(current_->returns, path_.guard_since(current_->region), slots_kept(*current_), std::move(value));
   ++path_.losses.returns;
   return false;

@@ -19,12 +19,47 @@ std::string field_help(const RecordStmt& type, const std::string& name) {
   return nearest.empty() ? fmt::format("it has {}", all) : fmt::format("did you mean '{}'?", nearest);
 }
 
+/// What to write for what is a method of lists elsewhere.
+std::string method_help(const Value& object, const std::string& name) {
+  if (object.as_list() == nullptr) return "";
+  const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (is_one_of({"append", "push", "push_back", "add"})) return "to add an element, write xs = xs + [x]";
+  if (is_one_of({"extend", "concat"})) return "to join lists, write xs = xs + ys";
+  if (is_one_of({"length", "len", "size"})) return "write length(xs)";
+  if (is_one_of({"contains", "includes", "has"})) return "write contains(xs, x)";
+  return "lists have no methods: a function takes the list as an argument";
+}
+
 }  // namespace
 
 Value Structures::make_record(const RecordStmt* type, std::vector<Value> fields, Span span) {
   Value record = make_ref<Record>(type, std::move(fields));
   check_nesting(record, span);
   return record;
+}
+
+void Structures::count_parts(const Value& value, Span span) {
+  step(span);
+  const auto count_all = [&](const std::vector<Value>& parts) {
+    for (const Value& part : parts) count_parts(part, span);
+  };
+  if (const List* list = value.as_list()) count_all(list->items);
+  if (const Record* record = value.object<Record>()) count_all(record->fields);
+  if (const Union* several = value.as_union()) count_largest(*several, span);
+}
+
+/// An execution has one of the alternatives, so that only the one with most parts counts.
+void Structures::count_largest(const Union& several, Span span) {
+  const std::uint64_t before = path_.steps;
+  std::uint64_t most = before;
+  for (const Union::Alternative& one : several.alternatives) {
+    path_.steps = before;
+    count_parts(one.value, span);
+    most = std::max(most, path_.steps);
+  }
+  path_.steps = most;
 }
 
 void Structures::needs_list(const Value& value, const char* user, Span span) {
@@ -103,7 +138,10 @@ std::pair<std::int64_t, std::int64_t> Structures::possible_indices(const Value& 
 Value Structures::field(const Value& object, const FieldExpr& access) {
   return each_shape(object, [&](const Value& one) -> Value {
     const Record* record = one.object<Record>();
-    if (record == nullptr) program_error(access.field_span, fmt::format("{} has no fields", describe(one)));
+    if (record == nullptr) {
+      program_error(access.field_span, fmt::format("{} has no fields", describe(one)),
+                    method_help(one, access.field));
+    }
     return record->fields[field_position(*record->type, access)];
   });
 }

@@ -27,6 +27,10 @@ class Structures : public Operators {
     });
   }
 
+  /// Counts a step for each part of a value, before all of it is looked at: lists that share their elements
+  /// can have far more parts than there were steps to make them.
+  void count_parts(const Value& value, Span span);
+
  protected:
   using Operators::Operators;
 
@@ -38,6 +42,7 @@ class Structures : public Operators {
   void append(Value& list, const Value& element, Span span);
 
  private:
+  void count_largest(const Union& several, Span span);
   Value checked_parts(const Value& value, std::size_t count, Span span);
   [[noreturn]] void needs_list(const Value& value, const char* user, Span span);
   void check_indexed(const Value& object, const Value& index, Span span);

@@ -186,7 +186,9 @@ ExprPtr ExpressionParser::field(Span start, ExprPtr object) {
   auto node = std::make_unique<FieldExpr>(start);
   take();
   node->object = std::move(object);
-  const Token& name = expect(TokenKind::kName, "after '.'");
+  const bool is_number = node->object->kind == ExprKind::kLiteral && previous().kind == TokenKind::kDot;
+  const Token& name =
+      expect(TokenKind::kName, "after '.'", is_number ? "a float ends with a digit: 5.0" : "");
   node->field = name.text;
   node->field_span = name.span;
   grow(*node, node->object->height);
@@ -240,6 +242,10 @@ ExprPtr ExpressionParser::missing() {
       break;
     case TokenKind::kPlus:
       fail("expected an expression, found '+'", "to count up, write n += 1");
+      break;
+    case TokenKind::kDot:
+      fail("expected an expression, found '.'",
+           peek(1).kind == TokenKind::kInt ? "a float starts with a digit: 0.5" : "");
       break;
     case TokenKind::kLeftBrace:
       fail("expected an expression, found '{'", "lists stand in [ ]; values with named fields are records");

@@ -40,6 +40,9 @@ bool is_utf16(std::string_view text) {
   return zeros(0) != zeros(1);
 }
 
+/// Names are repeated in messages and addresses, and compared with each other.
+constexpr std::size_t kLongestName = 1000;
+
 class Lexer {
  public:
   Lexer(std::string_view text, std::uint32_t source, Diagnostics& diagnostics)
@@ -53,6 +56,7 @@ class Lexer {
       diagnostics_.add("not-utf8", span(), "this file is UTF-16, and a script is UTF-8", "save it as UTF-8");
       at_ = text_.size();
     }
+    require_utf8();
     while (skip_blank()) {
       start_ = at_;
       read_token();
@@ -63,6 +67,17 @@ class Lexer {
   }
 
  private:
+  /// Reports the first byte that is no UTF-8. The text is read all the same, for what else may be wrong.
+  void require_utf8() {
+    start_ = find_broken_utf8(text_);
+    if (at_ == text_.size() || start_ == text_.size()) return;
+    const Span byte{source_, static_cast<std::uint32_t>(start_), static_cast<std::uint32_t>(start_ + 1)};
+    diagnostics_.add("not-utf8", byte,
+                     fmt::format("this file is not UTF-8: it has the byte \\x{:02x} here",
+                                 static_cast<unsigned char>(text_[start_])),
+                     "save it as UTF-8");
+  }
+
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
   bool starts_with(std::string_view prefix) const {
     return peek() == prefix.front() && text_.substr(at_, prefix.size()) == prefix;
@@ -142,7 +157,12 @@ class Lexer {
 
   void read_name() {
     while (is_name_part(peek())) ++at_;
-    const std::string_view name = text_.substr(start_, at_ - start_);
+    std::string_view name = text_.substr(start_, at_ - start_);
+    if (name.size() > kLongestName) {
+      diagnostics_.add("long-name", span(), fmt::format("this name has {} letters", name.size()),
+                       fmt::format("a name has at most {}", kLongestName));
+      name = name.substr(0, kLongestName);
+    }
     if (const auto keyword = find_keyword(name)) {
       push(*keyword);
     } else {
@@ -170,10 +190,18 @@ class Lexer {
     }
     if (is_name_start(peek())) {
       while (is_name_part(peek())) ++at_;
-      diagnostics_.add("bad-number", span(), "a number runs into a name",
-                       "put a space or an operator between them");
+      diagnostics_.add("bad-number", span(), "a number runs into a name", number_help());
     }
     is_float ? push_float() : push_int();
+  }
+
+  std::string number_help() const {
+    const std::string_view text = text_.substr(start_, at_ - start_);
+    if (text.size() > 1 && text[0] == '0' &&
+        std::string_view("xXbBoO").find(text[1]) != std::string_view::npos)
+      return "ints are written in decimal: 16, not 0x10";
+    if (text.find('_') != std::string_view::npos) return "digits are not grouped: write 1000";
+    return "put a space or an operator between them";
   }
 
   void push_float() {

@@ -293,19 +293,21 @@ void StatementParser::semicolon(bool ends_with_function) {
   if (panicking() || accept(TokenKind::kSemicolon)) return;
   if (at(TokenKind::kRightBrace) || at(TokenKind::kElse) || at(TokenKind::kEnd) || ends_with_function) return;
   if (!on_new_line()) {
-    return fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)),
-                foreign_keyword_help());
+    const std::string help = foreign_keyword_help();
+    if (!help.empty()) distrust_name(statement_start());
+    return fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)), help);
   }
   const Span end{previous().span.source, previous().span.end, previous().span.end};
   report("missing-semicolon", end, "expected ';' after this statement");
 }
 
-/// Returns what to write for a keyword of another language that was read as a name.
+/// Returns what to write for a keyword of another language that was read as the statement's first name.
 std::string StatementParser::foreign_keyword_help() const {
-  if (previous().kind != TokenKind::kName || !at(TokenKind::kName)) return "";
-  const std::string& word = previous().text;
+  if (statement_start().kind != TokenKind::kName) return "";
+  const std::string& word = statement_start().text;
   if (word == "let" || word == "var" || word == "const") return "a variable is made by assigning it: x = 3;";
   if (word == "def" || word == "function" || word == "func") return "a function is written fun f(x) { ... }";
+  if (word == "elif" || word == "elsif" || word == "elseif") return "write 'else if'";
   return "";
 }
 

@@ -50,6 +50,9 @@ class TokenReader {
   const Token& expect(TokenKind kind, const std::string& where, const std::string& help = "");
   /// Returns the token that was taken last.
   const Token& previous() const { return list_.tokens[at_ == 0 ? 0 : at_ - 1]; }
+  /// Nothing is said of a name that stands for something else, as a keyword of another language does.
+  void distrust_name(const Token& name) { skipped_names_.push_back(name.text); }
+  const Token& statement_start() const { return list_.tokens[statement_start_]; }
   /// Returns true if the next token stands on a later line than the previous one.
   bool on_new_line() const { return starts_line(at_); }
 

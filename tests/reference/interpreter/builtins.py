@@ -59,7 +59,10 @@ def choose_element(run, call):
 
 
 def check(run, call):
-    if not condition(call.given["condition"], call.place_of("condition")):
+    holds = condition(call.given["condition"], call.place_of("condition"))
+    if "message" in call.given:
+        need(call, "message", [str], "a string")
+    if not holds:
         raise Rejected
 
 

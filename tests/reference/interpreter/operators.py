@@ -1,5 +1,7 @@
 """What the operators do with values. Ints are exact and end at 62 bits."""
 
+import math
+
 from .lexer import LARGEST_INT
 from .syntax import ProgramError
 from .values import Record, is_number, kind, same
@@ -7,6 +9,12 @@ from .values import Record, is_number, kind, same
 
 class Rejected(Exception):
     """This execution is no solution: an assert failed, or what the manual counts like one."""
+
+
+def finite(value, place):
+    if not math.isfinite(value):
+        raise ProgramError(place, "this float grows past the largest one")
+    return value
 
 
 def within_62_bits(value, place):
@@ -29,7 +37,7 @@ def arithmetic(sign, left, right, place, of_numbers):
     if not is_number(left) or not is_number(right):
         raise mismatch(sign, left, right, place)
     result = of_numbers(left, right)
-    return within_62_bits(result, place) if type(result) is int else result
+    return within_62_bits(result, place) if type(result) is int else finite(result, place)
 
 
 def divide(left, right, place):

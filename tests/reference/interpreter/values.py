@@ -3,7 +3,6 @@
 An int is a Python int, a bool a bool, a float a float, a string a str, a list a tuple, and nil is None.
 """
 
-import math
 from dataclasses import dataclass, field
 
 from .syntax import FunctionDisplay, RecordDeclaration
@@ -121,11 +120,11 @@ def text(value, inside=False):
 
 
 def plain(value):
-    """A value as JSON has it: lists, dicts, numbers, strings, bools and None, which is also for infinite floats."""
+    """A value as JSON has it: lists, dicts, numbers, strings, bools and None."""
     if type(value) is tuple:
         return [plain(each) for each in value]
     if type(value) is Record:
         return {p.name: plain(each) for p, each in zip(value.declaration.parameters, value.fields)}
     if type(value) in (Closure, Constructor, Builtin):
         return function_text(value)
-    return None if type(value) is float and not math.isfinite(value) else value
+    return value
