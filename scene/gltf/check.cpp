@@ -1,13 +1,13 @@
 #include "scene/gltf/check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <vector>
 
 #include "scene/error.h"
 #include "scene/gltf/accessor_view.h"
+#include "scene/gltf/image_bytes.h"
 #include "scene/gltf/node_tree.h"
 
 namespace solitaire {
@@ -15,16 +15,11 @@ namespace {
 
 constexpr int kDeepestNode = 200;  // far beyond any real asset; keeps recursion over nodes safe
 
-// Extensions that change only what materials look like are copied with the materials.
-constexpr std::array<std::string_view, 3> kSupportedExtensions = {"KHR_materials_", "KHR_texture_transform",
-                                                                  "KHR_lights_punctual"};
-
 class Checker {
  public:
   explicit Checker(const tinygltf::Model& model) : model_(model) {}
 
   void check() {
-    check_extensions();
     for (std::size_t i = 0; i < model_.images.size(); ++i) check_image(i);
     for (std::size_t i = 0; i < model_.textures.size(); ++i) check_texture(i);
     for (std::size_t i = 0; i < model_.materials.size(); ++i) check_material(i);
@@ -48,14 +43,6 @@ class Checker {
   template <typename T>
   static bool none_or_in_range(int index, const std::vector<T>& list) {
     return index == -1 || in_range(index, list);
-  }
-
-  void check_extensions() const {
-    for (const std::string& name : model_.extensionsRequired) {
-      const bool supported = std::any_of(kSupportedExtensions.begin(), kSupportedExtensions.end(),
-                                         [&](std::string_view known) { return name.starts_with(known); });
-      require(supported, "it needs the extension {}, which is not supported", name);
-    }
   }
 
   void check_image(std::size_t i) const {
@@ -89,13 +76,35 @@ class Checker {
     for (const auto& extension : material.extensions) check_textures_within(extension.second);
   }
 
+  /// Textures that are shown have an image of a kind that can be copied.
+  void check_shown_texture(int texture) const {
+    if (texture == -1) return;
+    const auto& shown = model_.textures[static_cast<std::size_t>(texture)];
+    require(shown.source != -1, "texture {} has no image that is PNG or JPEG", texture);
+    const std::string kind = image_kind(image_bytes(model_, shown.source));
+    require(kind == "PNG" || kind == "JPEG", "image {} is {}, and images have to be PNG or JPEG",
+            shown.source, kind);
+  }
+
+  void check_shown_material(int index) const {
+    if (index == -1) return;
+    const auto& material = model_.materials[static_cast<std::size_t>(index)];
+    const auto& pbr = material.pbrMetallicRoughness;
+    for (const int texture :
+         {pbr.baseColorTexture.index, pbr.metallicRoughnessTexture.index, material.normalTexture.index,
+          material.occlusionTexture.index, material.emissiveTexture.index})
+      check_shown_texture(texture);
+  }
+
   // Material extensions name textures as {"…Texture": {"index": N}}.
   void check_textures_within(const tinygltf::Value& value) const {
     if (!value.IsObject()) return;
     for (const std::string& key : value.Keys()) {
       const tinygltf::Value& member = value.Get(key);
       if (key.ends_with("Texture") && member.Has("index")) {
-        require(in_range(member.Get("index").GetNumberAsInt(), model_.textures), "{} has no texture", key);
+        const int texture = member.Get("index").GetNumberAsInt();
+        require(in_range(texture, model_.textures), "{} has no texture", key);
+        check_shown_texture(texture);
       }
       check_textures_within(member);
     }
@@ -109,6 +118,7 @@ class Checker {
   void check_primitive(std::size_t mesh, const tinygltf::Primitive& primitive) const {
     require(none_or_in_range(primitive.material, model_.materials), "mesh {} has no material {}", mesh,
             primitive.material);
+    check_shown_material(primitive.material);
     require(primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN,
             "mesh {} has primitives of an unknown mode", mesh);
     const auto position = primitive.attributes.find("POSITION");

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
+#include <span>
 #include <string_view>
 
-#include "scene/error.h"
 #include "scene/gltf/accessor_view.h"
+#include "scene/gltf/image_bytes.h"
 #include "scene/names.h"
 
 namespace solitaire {
@@ -29,13 +29,6 @@ std::size_t round_up(std::size_t value, std::size_t multiple) {
 
 bool is_copied(std::string_view attribute) {
   return !attribute.starts_with("JOINTS_") && !attribute.starts_with("WEIGHTS_");
-}
-
-std::string sniffed_mime_type(const unsigned char* bytes, std::size_t size) {
-  const std::string_view head(reinterpret_cast<const char*>(bytes), std::min<std::size_t>(size, 8));
-  if (head == std::string_view("\x89PNG\r\n\x1a\n", 8)) return "image/png";
-  if (head.starts_with("\xff\xd8\xff")) return "image/jpeg";
-  return "";
 }
 
 std::string variant_of(const std::optional<Paint>& paint) { return paint ? paint->text() : ""; }
@@ -183,7 +176,6 @@ int MeshCopier::texture(int index) {
   const auto [place, is_new] = textures_.try_emplace(index, 0);
   if (!is_new) return place->second;
   const auto& source = at(from_.textures, index);
-  if (source.source == -1) throw SceneError(asset_name_ + ": a texture has no PNG or JPEG image");
   tinygltf::Texture copy;
   copy.name = source.name;
   copy.source = image(source.source);
@@ -201,18 +193,11 @@ int MeshCopier::image(int index) {
   const auto [place, is_new] = images_.try_emplace(index, 0);
   if (!is_new) return place->second;
   const auto& source = at(from_.images, index);
-  std::vector<unsigned char> bytes = source.image;
-  if (source.bufferView != -1) {
-    const auto& view = at(from_.bufferViews, source.bufferView);
-    const auto* data = at(from_.buffers, view.buffer).data.data() + view.byteOffset;
-    bytes.assign(data, data + view.byteLength);
-  }
+  const std::span<const unsigned char> bytes = image_bytes(from_, index);
   tinygltf::Image copy;
   copy.name = source.name;
-  copy.mimeType = sniffed_mime_type(bytes.data(), bytes.size());
-  if (copy.mimeType.empty())
-    throw SceneError(fmt::format("{}: image {} is neither PNG nor JPEG", asset_name_, index));
-  copy.bufferView = append_view(to_, bytes, 0);
+  copy.mimeType = image_kind(bytes) == "PNG" ? "image/png" : "image/jpeg";
+  copy.bufferView = append_view(to_, {bytes.begin(), bytes.end()}, 0);
   return place->second = append(to_.images, std::move(copy));
 }
 

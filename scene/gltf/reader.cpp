@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "scene/error.h"
 #include "scene/gltf/check.h"
+#include "scene/gltf/plain_model.h"
+#include "scene/gltf/source_json.h"
 
 namespace solitaire {
 namespace {
@@ -26,11 +29,6 @@ std::vector<unsigned char> read_bytes(const fs::path& file) {
 }
 
 // tinygltf's own callbacks also search the working directory and anything an absolute path names.
-bool lies_within(const fs::path& folder, const fs::path& file) {
-  const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::canonical(folder));
-  return !relative.empty() && *relative.begin() != "..";
-}
-
 tinygltf::FsCallbacks confined_to(const fs::path& folder) {
   tinygltf::FsCallbacks callbacks{};
   callbacks.user_data = const_cast<fs::path*>(&folder);
@@ -77,13 +75,48 @@ bool is_binary(const std::vector<unsigned char>& bytes) {
   return bytes.size() >= 4 && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
 }
 
+constexpr std::size_t kHeaderBytes = 20;  // of a .glb, with those of its JSON
+
 std::size_t json_bytes(const std::vector<unsigned char>& glb) {
-  if (glb.size() < 20) throw SceneError("it is too short for a .glb");
+  if (glb.size() < kHeaderBytes) throw SceneError("it is too short for a .glb");
   const std::size_t stated = glb[12] | glb[13] << 8 | glb[14] << 16 | static_cast<std::size_t>(glb[15]) << 24;
-  return std::min(stated, glb.size() - 20);
+  return std::min(stated, glb.size() - kHeaderBytes);
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+void write_word(std::vector<unsigned char>& bytes, std::size_t at, std::size_t value) {
+  for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<unsigned char>(value >> (8 * i));
+}
+
+/// Returns the .glb with other JSON.
+std::vector<unsigned char> with_json(const std::vector<unsigned char>& glb, std::string json) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto rest = glb.begin() + static_cast<std::ptrdiff_t>(kHeaderBytes + json_bytes(glb));
+  std::vector<unsigned char> made(glb.begin(), glb.begin() + kHeaderBytes);
+  made.insert(made.end(), json.begin(), json.end());
+  made.insert(made.end(), rest, glb.end());
+  write_word(made, 8, made.size());
+  write_word(made, 12, json.size());
+  return made;
+}
+
+/// Returns the file as tinygltf can read it.
+std::vector<unsigned char> prepared(std::vector<unsigned char> bytes, const fs::path& folder) {
+  const std::size_t begin = is_binary(bytes) ? kHeaderBytes : 0;
+  const std::size_t size = is_binary(bytes) ? json_bytes(bytes) : bytes.size();
+  check_nesting(bytes.data() + begin, size);
+  const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
+  auto json = nlohmann::json::parse(first, first + static_cast<std::ptrdiff_t>(size), nullptr, false);
+  if (json.is_discarded()) throw SceneError("it is no glTF file: its JSON cannot be read");
+  if (!prepare_json(json, folder)) return bytes;
+  std::string text = json.dump();
+  return begin > 0 ? with_json(bytes, std::move(text)) : std::vector<unsigned char>(text.begin(), text.end());
+}
+
+/// Returns what a person reads of tinygltf's message, which can repeat whole files.
+std::string beginning(const std::string& text) {
+  constexpr std::size_t kMost = 200;
+  return text.substr(0, std::min(text.find('\n'), kMost));
+}
 
 tinygltf::Model parse(const std::vector<unsigned char>& bytes, const fs::path& folder) {
   tinygltf::TinyGLTF reader;
@@ -94,14 +127,13 @@ tinygltf::Model parse(const std::vector<unsigned char>& bytes, const fs::path& f
   const auto size = static_cast<unsigned>(bytes.size());
   bool good = false;
   if (is_binary(bytes)) {
-    check_nesting(bytes.data() + 20, json_bytes(bytes));
     good = reader.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, folder.string());
   } else {
-    check_nesting(bytes.data(), bytes.size());
     const auto* text = reinterpret_cast<const char*>(bytes.data());
     good = reader.LoadASCIIFromString(&model, &error, &warning, text, size, folder.string());
   }
-  if (!good) throw SceneError(error.empty() ? "it is no glTF file" : first_line(error));
+  if (!good) throw SceneError(error.empty() ? "it is no glTF file" : beginning(error));
+  make_plain(model);
   check_model(model);
   return model;
 }
@@ -110,9 +142,8 @@ tinygltf::Model parse(const std::vector<unsigned char>& bytes, const fs::path& f
 
 tinygltf::Model read_gltf(const fs::path& file) {
   try {
-    const auto bytes = read_bytes(file);
     const fs::path folder = fs::absolute(file).parent_path();
-    return parse(bytes, folder);
+    return parse(prepared(read_bytes(file), folder), folder);
   } catch (const std::exception& reason) {  // tinygltf lets some of the standard library's through
     throw SceneError(fmt::format("cannot read {}: {}", file.string(), reason.what()));
   }
