@@ -3,7 +3,9 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/report.h"
+#include "app/signals.h"
 #include "app/tiles_options.h"
+#include "base/stop_signal.h"
 #include "engines/tiles/job/job.h"
 #include "engines/tiles/request/request_error.h"
 #include "scene/atomic_file.h"
@@ -65,34 +67,43 @@ std::string stem(const TilesOptions& options) {
   return file.substr(0, file.find('.'));
 }
 
+/// Says how making maps ended, of which `delivered` are written.
+ExitStatus tell_ending(const tiles::Job& job, tiles::JobEnding ending, std::uint64_t delivered,
+                       const Options& options) {
+  if (!options.quiet && (ending == tiles::JobEnding::kDone || delivered > 0)) tell(job.summary());
+  switch (ending) {
+    case tiles::JobEnding::kStopped:
+      return report_limit(options);
+    case tiles::JobEnding::kNoMap:
+      tell("there is no such map; --explain says why\n");
+      return kNoSolution;
+    case tiles::JobEnding::kGaveUp:
+      tell(fmt::format("error: the sampler gave up on map {}; this is no proof that there is none\n",
+                       delivered + 1));
+      return kLimit;
+    case tiles::JobEnding::kDone:
+      break;
+  }
+  return kDelivered;
+}
+
 ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog) {
   make_folder(options.output);
-  std::uint64_t reached = 1;
+  std::uint64_t delivered = 0;
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
     for (const std::string& format : options.tiles->formats) {
       const std::string name = fmt::format("{}-{:04}.{}", stem(*options.tiles), number, format);
       write_file_atomically(options.output / name, job.file(format, options.tiles->pixels, options.output));
     }
-    reached = number + 1;
+    delivered = number;
   });
-  switch (ending) {
-    case tiles::JobEnding::kNoMap:
-      tell("there is no such map; --explain says why\n");
-      return kNoSolution;
-    case tiles::JobEnding::kGaveUp:
-      tell(fmt::format("error: the sampler gave up on map {}; this is no proof that there is none\n",
-                       reached));
-      return kLimit;
-    case tiles::JobEnding::kDone:
-      break;
-  }
-  if (!options.quiet) tell(job.summary());
-  return kDelivered;
+  const auto lock = watchdog.delivering();
+  return watchdog.conclude(tell_ending(job, ending, delivered, options));
 }
 
 ExitStatus run_tiles(const Options& options, Watchdog& watchdog) {
-  tiles::Job job(options.tiles->job);
+  tiles::Job job(options.tiles->job, [] { return stop_source().token().stopped(); });
   if (!options.tiles->checked.empty()) return check_map(job, options.tiles->checked);
   if (options.tiles->explained) return explain_maps(job);
   if (options.tiles->counted) return count_maps(job);
@@ -108,6 +119,9 @@ ExitStatus tiles_command(const Options& options, Watchdog& watchdog) {
     status = run_tiles(options, watchdog);
   } catch (const tiles::RequestError& error) {
     tell(fmt::format("error: {}\n", error.what()));
+  } catch (const Interrupted&) {
+    const auto lock = watchdog.delivering();
+    return watchdog.conclude(report_limit(options));
   }
   const auto lock = watchdog.delivering();
   return watchdog.conclude(status);

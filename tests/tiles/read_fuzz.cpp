@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   Tileset tileset;
   try {
-    switch (data[0] % 5) {
+    switch (data[0] % 7) {
       case 0:
         read_text("fuzz", bytes, tileset, true);
         break;
@@ -27,6 +27,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 3:
         decode_gids("fuzz", bytes, "csv", "", 100);
+        break;
+      case 4:
+        read_tmx("fuzz", bytes);
+        break;
+      case 5:
+        read_tmj("fuzz", bytes);
         break;
       default:
         decode_gids("fuzz", bytes, "base64", "zlib", 100);

@@ -123,6 +123,7 @@ TEST_CASE("mistakes in JSON maps are told with their member") {
   CHECK(error(R"({"size": [2, 1], "tiles": ["a"], "data": [0, 1]})") ==
         "m.json: 'data' has an entry [1] that is no number of a tile");
   CHECK(error(std::string(100'000, '[')) == "m.json: is nested too deeply");
+  CHECK(error("2E11077") == "m.json: has a number that is too large");
 }
 
 /// A file that lives as long as this.

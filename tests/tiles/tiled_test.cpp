@@ -80,27 +80,28 @@ std::vector<std::string> names_in(const Grid& map, const Tileset& tileset) {
   return names;
 }
 
+std::string base64(const std::string& raw) {
+  static constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t bit = 0; bit < 8 * raw.size(); bit += 6) {
+    unsigned value = 0;
+    for (std::size_t each = bit; each < bit + 6; ++each) {
+      const bool set =
+          each < 8 * raw.size() && (static_cast<unsigned char>(raw[each / 8]) >> (7 - each % 8) & 1U) != 0;
+      value = 2 * value + (set ? 1 : 0);
+    }
+    text += kLetters[value];
+  }
+  while (text.size() % 4 != 0) text += '=';
+  return text;
+}
+
 TEST_CASE("the encodings of a Tiled layer say the same") {
   const Land land;
   // 5, 6, 0, 6, 5, 5 as little-endian words.
   std::string bytes;
   for (const char gid : {5, 6, 0, 6, 5, 5}) bytes += {gid, 0, 0, 0};
-  const auto base64 = [](const std::string& raw) {
-    static constexpr std::string_view kLetters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t bit = 0; bit < 8 * raw.size(); bit += 6) {
-      unsigned value = 0;
-      for (std::size_t each = bit; each < bit + 6; ++each) {
-        const bool set =
-            each < 8 * raw.size() && (static_cast<unsigned char>(raw[each / 8]) >> (7 - each % 8) & 1U) != 0;
-        value = 2 * value + (set ? 1 : 0);
-      }
-      text += kLetters[value];
-    }
-    while (text.size() % 4 != 0) text += '=';
-    return text;
-  };
   std::string packed(200, '\0');
   uLongf length = packed.size();
   REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &length,
@@ -218,6 +219,35 @@ TEST_CASE("no beginning of a map of Tiled does harm") {
   for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
     CHECK(error_of(land.write("m.tmx", whole.substr(0, length))).starts_with("m.tmx: "));
   }
+}
+
+TEST_CASE("a map of Tiled that lies about its size takes no memory") {
+  const Land land;
+  const auto tmj = [&](const std::string& layer) {
+    return error_of(land.write("m.tmj", R"({"layers": [{"type": "tilelayer", )" + layer + "}]}"));
+  };
+  CHECK(tmj(R"("width": 1000000, "height": 1000, "data": [1])") ==
+        "m.tmj: a layer has a size or place that cannot be");
+  CHECK(tmj(R"("width": 4000000000, "height": 1, "data": [1])") ==
+        "m.tmj: 'layers[0].width' is no whole number from 1 to 1048576");
+  CHECK(tmj(R"("encoding": "base64", "width": 1000000, "height": 1000, "data": "AAAA")") ==
+        "m.tmj: a layer has more than 4194304 tiles");
+  // Two chunks of a tile each, with an endless land between them.
+  const std::string chunk = R"({"x": -1000000, "y": 0, "width": 1, "height": 1, "data": [1]})",
+                    far = R"({"x": 1000000, "y": 1000, "width": 1, "height": 1, "data": [1]})";
+  CHECK(tmj(R"("chunks": [)" + chunk + "," + far + "]") ==
+        "m.tmj: a map of 2000001 x 1001 tiles is too large");
+  CHECK(tmj(R"("width": 1, "height": 1, "data": [-1])") == "m.tmj: 'layers[0].data' has what is no gid");
+  // A megabyte of zeros, packed into a kilobyte, in a layer of six tiles.
+  std::string bomb(2000, '\0');
+  uLongf size = bomb.size();
+  const std::string zeros(1U << 20U, '\0');
+  REQUIRE(compress(reinterpret_cast<Bytef*>(bomb.data()), &size, reinterpret_cast<const Bytef*>(zeros.data()),
+                   zeros.size()) == Z_OK);
+  bomb.resize(size);
+  CHECK(error_of(land.write("m.tmx", map_with(layer(R"(<data encoding="base64" compression="zlib">)" +
+                                                    base64(bomb) + "</data>")))) ==
+        "m.tmx: a layer has packed data that are broken or of another size than it says");
 }
 
 }  // namespace

@@ -65,9 +65,11 @@ std::vector<std::uint32_t> sites_in_order(const Size& size) {
   return sites;
 }
 
-States after(const PlanStep& step, const States& before, unsigned bits) {
+States after(const PlanStep& step, const States& before, unsigned bits, const StopSignal& stop) {
   States states;
+  std::size_t seen = 0;
   for (const auto& [key, count] : before) {
+    if (seen++ % 4096 == 0 && stop.stopped()) throw Interrupted();
     TileMask tiles = step.tiles;
     for (const ClosingPair& pair : step.pairs) {
       const auto other = static_cast<Tile>((key >> pair.slot) & ((1U << bits) - 1));
@@ -92,8 +94,7 @@ std::optional<std::string> count_maps(const Problem& problem, const StopSignal& 
   const unsigned bits = PatchIndex::bits_for(problem.style().tileset.size());
   States states{{FrontierKey{0}, MapCount::one()}};
   for (const PlanStep& step : plan.steps()) {
-    if (stop.stopped()) throw Interrupted();
-    states = after(step, states, bits);
+    states = after(step, states, bits, stop);
     if (states.size() > kMostStates) return std::nullopt;
   }
   return states.empty() ? "0" : states.begin()->second.text();

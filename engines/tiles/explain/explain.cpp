@@ -21,7 +21,7 @@ class RuleClauses {
         terminator_(stop) {
     solver_.set("quiet", 1);
     clauses_ = std::make_unique<TileClauses>(block_, solver_);
-    clauses_->add_all();
+    if (!clauses_->add_all(stop)) throw Interrupted();
     for (const SiteRule& rule : problem.site_rules()) add(rule);
     solver_.connect_terminator(&terminator_);
   }

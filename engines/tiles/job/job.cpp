@@ -1,5 +1,6 @@
 #include "engines/tiles/job/job.h"
 
+#include <chrono>
 #include <deque>
 #include <fmt/format.h>
 #include <future>
@@ -24,6 +25,15 @@
 
 namespace solitaire::tiles {
 namespace {
+
+/// How long it takes at most until a wish to stop is passed on.
+constexpr std::chrono::milliseconds kPatience(10);
+
+/// Stops whatever still looks at a signal when a run is left, in whichever way.
+struct StopAtEnd {
+  StopSignal& signal;
+  ~StopAtEnd() { signal.request(); }
+};
 
 bool is_problem_file(const std::string& name) { return name.ends_with(".tiles.json"); }
 
@@ -89,30 +99,83 @@ std::string size_text(const Size& size) {
 }  // namespace
 
 struct Job::State {
-  explicit State(const JobOptions& given)
+  State(const JobOptions& given, std::function<bool()> asked_to_stop)
       : options(given),
+        stopped(std::move(asked_to_stop)),
         request(full_request(given)),
         style(read_style(request)),
         problem(make_problem(request, style)) {
     keep_rest(options, request.tile_side, problem);
   }
 
-  Sample draw(const std::vector<TileMask>& domains, std::uint64_t of) const {
-    return draw_sample(problem, domains, options.sampling, of, stop);
+  JobEnding make_maps(const std::function<void(std::uint64_t)>& deliver);
+  void keep(Sample&& made);
+
+  /// Waits for work on another thread, and passes a wish to stop on to it.
+  template <class Result>
+  Result outcome(std::future<Result>& running) {
+    while (running.wait_for(kPatience) != std::future_status::ready) {
+      if (stopped()) stop.request();
+    }
+    return running.get();
+  }
+  /// Does work on another thread, so that a wish to stop reaches it.
+  template <class Work>
+  auto attended(const Work& work) {
+    auto running = std::async(std::launch::async, work);
+    return outcome(running);
   }
 
   JobOptions options;
+  std::function<bool()> stopped;
   Request request;
   std::shared_ptr<Style> style;
   Problem problem;
-  StopSignal stop;  // is never set: the program ends itself
+  StopSignal stop;
   std::uint64_t number = 0;
   Sample sample;  // that of the number
   std::vector<Grid> maps;
   std::uint64_t windows = 0, left = 0, refused = 0;
 };
 
-Job::Job(const JobOptions& options) : state_(std::make_unique<State>(options)) {}
+JobEnding Job::State::make_maps(const std::function<void(std::uint64_t)>& deliver) {
+  const std::vector<TileMask> domains = attended([this] {
+    learn_weights(request, options.sampling, *style, stop);
+    return consistent_domains(problem);
+  });
+  StopSignal signal(&stop);
+  std::deque<std::future<Sample>> running;
+  const StopAtEnd stop_at_end{signal};
+  std::uint64_t begun = 0;
+  for (number = 1; number <= options.maps; ++number) {
+    while (begun < options.maps && running.size() < options.jobs) {
+      running.push_back(std::async(std::launch::async, [&, next = ++begun] {
+        return draw_sample(problem, domains, options.sampling, next, signal);
+      }));
+    }
+    sample = outcome(running.front());
+    running.pop_front();
+    if (sample.outcome == Outcome::kStopped) return JobEnding::kStopped;
+    if (sample.outcome == Outcome::kNone) return JobEnding::kNoMap;
+    if (sample.outcome == Outcome::kGaveUp) return JobEnding::kGaveUp;
+    const std::vector<std::string> faults = find_faults(problem, sample.map, 1);
+    if (!faults.empty()) throw std::logic_error("a map breaks the rules: " + faults.front());
+    deliver(number);
+    keep(std::move(sample));
+  }
+  return JobEnding::kDone;
+}
+
+/// Remembers a map that was delivered, for the summary.
+void Job::State::keep(Sample&& made) {
+  maps.push_back(std::move(made.map));
+  windows += made.windows;
+  left += made.left;
+  refused += made.refused;
+}
+
+Job::Job(const JobOptions& options, std::function<bool()> stopped)
+    : state_(std::make_unique<State>(options, std::move(stopped))) {}
 Job::~Job() = default;
 
 std::vector<std::string> Job::check(const std::filesystem::path& file) const {
@@ -120,10 +183,12 @@ std::vector<std::string> Job::check(const std::filesystem::path& file) const {
   return find_faults(state_->problem, read_exemplar(file, state_->request.tile_side, tileset, false));
 }
 
-std::optional<std::string> Job::count() const { return count_maps(state_->problem, state_->stop); }
+std::optional<std::string> Job::count() const {
+  return state_->attended([this] { return count_maps(state_->problem, state_->stop); });
+}
 
 std::optional<std::vector<std::string>> Job::explain() const {
-  const auto reason = explain_no_map(state_->problem, state_->stop);
+  const auto reason = state_->attended([this] { return explain_no_map(state_->problem, state_->stop); });
   if (!reason) return std::nullopt;
   return reason->rules;
 }
@@ -131,29 +196,11 @@ std::optional<std::vector<std::string>> Job::explain() const {
 std::vector<std::string> Job::warnings() const { return tiles_that_need_a_border(state_->problem); }
 
 JobEnding Job::run(const std::function<void(std::uint64_t)>& deliver) {
-  State& state = *state_;
-  learn_weights(state.request, state.options.sampling, *state.style, state.stop);
-  const std::vector<TileMask> domains = consistent_domains(state.problem);
-  std::deque<std::future<Sample>> running;
-  std::uint64_t begun = 0;
-  for (state.number = 1; state.number <= state.options.maps; ++state.number) {
-    while (begun < state.options.maps && running.size() < state.options.jobs) {
-      running.push_back(
-          std::async(std::launch::async, [&, next = ++begun] { return state.draw(domains, next); }));
-    }
-    state.sample = running.front().get();
-    running.pop_front();
-    if (state.sample.outcome == Outcome::kNone) return JobEnding::kNoMap;
-    if (state.sample.outcome != Outcome::kFound) return JobEnding::kGaveUp;
-    const std::vector<std::string> faults = find_faults(state.problem, state.sample.map, 1);
-    if (!faults.empty()) throw std::logic_error("a map breaks the rules: " + faults.front());
-    deliver(state.number);
-    state.maps.push_back(std::move(state.sample.map));
-    state.windows += state.sample.windows;
-    state.left += state.sample.left;
-    state.refused += state.sample.refused;
+  try {
+    return state_->make_maps(deliver);
+  } catch (const Interrupted&) {
+    return JobEnding::kStopped;
   }
-  return JobEnding::kDone;
 }
 
 std::string Job::file(const std::string& format, int pixels, const std::filesystem::path& folder) const {

@@ -14,6 +14,7 @@ enum class JobEnding : std::uint8_t {
   kDone,
   kNoMap,   // proved
   kGaveUp,  // the sampler did; this is no proof
+  kStopped,
 };
 
 /// Makes the maps that somebody asks for, or answers questions about them. This is the face of the tile
@@ -21,18 +22,21 @@ enum class JobEnding : std::uint8_t {
 class Job {
  public:
   /// Reads the exemplars and learns their pairs. Throws RequestError for options that contradict each other
-  /// or name what is not there, and FileError.
-  explicit Job(const JobOptions& options);
+  /// or name what is not there, and FileError. Whatever takes long asks `stopped` every few milliseconds
+  /// whether it is to end.
+  explicit Job(
+      const JobOptions& options, std::function<bool()> stopped = [] { return false; });
   ~Job();
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
   /// Returns what is wrong with a map in a file; nothing if it keeps all rules.
   std::vector<std::string> check(const std::filesystem::path& file) const;
-  /// Returns how many maps there are, or nothing if they cannot be counted (count_maps()).
+  /// Returns how many maps there are, or nothing if they cannot be counted (count_maps()). Throws
+  /// Interrupted.
   std::optional<std::string> count() const;
   /// Returns why there is no map, a rule a line; nothing if there is one. Without a line there is no map of
-  /// this size at all.
+  /// this size at all. Throws Interrupted.
   std::optional<std::vector<std::string>> explain() const;
   /// Returns what should be known about the exemplars.
   std::vector<std::string> warnings() const;

@@ -127,6 +127,8 @@ nlohmann::json parse_json(const std::string& file, const std::string& text) {
     const std::size_t before = text.rfind('\n', end == 0 ? 0 : end - 1);
     const std::size_t column = before == std::string::npos || end == 0 ? end + 1 : end - before;
     throw FileError(fmt::format("{}:{}:{}", file, line, column), "this is no JSON");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw FileError(file, "has a number that is too large");
   }
 }
 

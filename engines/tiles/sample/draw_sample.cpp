@@ -16,19 +16,14 @@ Sample sample_collapse(const Problem& problem, const std::vector<TileMask>& doma
       options.kind == SamplerKind::kRaster ? CollapseOrder::kReading : CollapseOrder::kLeastEntropy;
   const std::uint64_t most = options.effort > 0 ? options.effort : kAttempts;
   RandomStream random(mix(options.seed, number), Purpose::kTiles, UINT64_MAX);
-  for (sample.outcome = Outcome::kGaveUp; sample.windows < most;) {
-    if (stop.stopped()) {
-      sample.outcome = Outcome::kStopped;
-      break;
-    }
+  do {
     Block tried = block;
     ++sample.windows;
-    if (!collapse(tried, random, order)) continue;
+    sample.outcome = collapse(tried, random, stop, order);
+    if (sample.outcome != Outcome::kFound) continue;
     sample.map = Grid(problem.size());
     tried.write_to(sample.map);
-    sample.outcome = Outcome::kFound;
-    break;
-  }
+  } while (sample.outcome == Outcome::kGaveUp && sample.windows < most);
   return sample;
 }
 

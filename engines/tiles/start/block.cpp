@@ -78,6 +78,7 @@ void Block::restrict(std::size_t place, const TileMask& tiles) {
   const TileMask left = domains_[place] & tiles;
   if (left == domains_[place]) return;
   domains_[place] = left;
+  touched_.push_back(static_cast<std::uint32_t>(place));
   if (is_changed_[place]) return;
   is_changed_[place] = true;
   changed_.push_back(static_cast<std::uint32_t>(place));

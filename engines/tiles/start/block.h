@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engines/tiles/model/problem.h"
@@ -47,6 +48,8 @@ class Block {
   /// Takes away tiles that have no partner at some neighbour, until there are none (arc consistency).
   /// Returns false if nothing is left for some place.
   bool propagate();
+  /// Returns the places whose domains changed since this was asked last, some of them more than once.
+  std::vector<std::uint32_t> take_touched() { return std::exchange(touched_, {}); }
   /// Writes the block's tiles to the map; each domain has one.
   void write_to(Grid& map) const;
 
@@ -59,6 +62,7 @@ class Block {
   std::vector<std::array<std::int32_t, 2 * kAxes>> neighbors_;  // places, or -1
   std::vector<std::uint32_t> changed_;                          // places whose neighbours are to be looked at
   std::vector<bool> is_changed_;
+  std::vector<std::uint32_t> touched_;  // places whose domains changed
 };
 
 }  // namespace solitaire::tiles

@@ -30,7 +30,7 @@ Outcome solve_block(Block& block, RandomStream& random, const StopSignal& stop) 
   solver.set("lucky", 0);  // would ignore what is suggested
   solver.set("seed", static_cast<int>(random.below(1'000'000'000)));
   TileClauses clauses(block, solver);
-  clauses.add_all();
+  if (!clauses.add_all(stop)) return Outcome::kStopped;
   suggest(block, clauses, solver, random);
   StopBySignal terminator(stop);
   solver.connect_terminator(&terminator);

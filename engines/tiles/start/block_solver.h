@@ -1,18 +1,10 @@
 #pragma once
-#include <memory>
-
 #include "base/random.h"
 #include "base/stop_signal.h"
 #include "engines/tiles/start/block.h"
+#include "engines/tiles/start/outcome.h"
 
 namespace solitaire::tiles {
-
-enum class Outcome : std::uint8_t {
-  kFound,
-  kNone,     // a proof that there is nothing to find
-  kStopped,  // by the signal
-  kGaveUp,   // after as much effort as was allowed
-};
 
 /// Chooses a block's tiles by CaDiCaL, which first tries tiles that are as frequent as in the exemplars.
 /// kNone is a proof that there are no such tiles.

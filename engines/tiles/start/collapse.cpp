@@ -1,7 +1,8 @@
 #include "engines/tiles/start/collapse.h"
 
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <queue>
 
 #include "engines/tiles/model/uniform.h"
 
@@ -25,46 +26,41 @@ double entropy(const TileMask& tiles, const std::vector<double>& frequencies) {
   return sum > 0 ? std::log(sum) - logs / sum : 0;
 }
 
-/// Knows the entropy of every place, each as of the domain that it was found for.
+/// Gives places in the order of their entropy.
 class Entropies {
  public:
-  Entropies(const Block& block, RandomStream& random)
-      : block_(block), known_(block.size()), values_(block.size()) {
+  Entropies(Block& block, RandomStream& random) : block_(block), now_(block.size()) {
     // Places of equal entropy come in a random order.
     for (std::size_t place = 0; place < block.size(); ++place) noise_.push_back(1e-6 * uniform(random));
+    for (std::uint32_t place = 0; place < block.size(); ++place) look_at(place);
   }
 
   /// Returns the place with the least entropy of those with several tiles, or the block's size.
   std::size_t least() {
-    std::size_t best = block_.size();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t place = 0; place < block_.size(); ++place) {
-      const double value = of(place);
-      if (value < least && block_.domain(place).size() > 1) {
-        least = value;
-        best = place;
-      }
+    for (const std::uint32_t place : block_.take_touched()) look_at(place);
+    while (!queue_.empty()) {
+      const auto [value, place] = queue_.top();
+      queue_.pop();
+      if (value == now_[place] && block_.domain(place).size() > 1) return place;
     }
-    return best;
+    return block_.size();
   }
 
  private:
-  double of(std::size_t place) {
+  using Entry = std::pair<double, std::uint32_t>;
+
+  /// Puts a place into the queue with the entropy that it has now. What was there before is out of date.
+  void look_at(std::uint32_t place) {
     const TileMask& tiles = block_.domain(place);
-    if (!(known_[place] == tiles)) {
-      known_[place] = tiles;
-      values_[place] = tiles.size() < 2 ? std::numeric_limits<double>::infinity()
-                                        : entropy(tiles, frequencies(place)) + noise_[place];
-    }
-    return values_[place];
-  }
-  const std::vector<double>& frequencies(std::size_t place) const {
-    return block_.problem().style().frequencies[block_.zone(place)];
+    if (tiles.size() < 2) return;
+    const auto& frequencies = block_.problem().style().frequencies[block_.zone(place)];
+    now_[place] = entropy(tiles, frequencies) + noise_[place];
+    queue_.emplace(now_[place], place);
   }
 
-  const Block& block_;
-  std::vector<TileMask> known_;
-  std::vector<double> values_, noise_;
+  Block& block_;
+  std::vector<double> now_, noise_;  // by place
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
 }  // namespace
@@ -84,7 +80,8 @@ Tile draw_tile(const TileMask& tiles, const std::vector<double>& frequencies, Ra
   return drawn;
 }
 
-bool collapse(Block& block, RandomStream& random, CollapseOrder order) {
+Outcome collapse(Block& block, RandomStream& random, const StopSignal& stop, CollapseOrder order) {
+  if (!block.propagate()) return Outcome::kGaveUp;
   Entropies entropies(block, random);
   std::size_t read = 0;
   const auto next = [&] {
@@ -92,13 +89,14 @@ bool collapse(Block& block, RandomStream& random, CollapseOrder order) {
     while (read < block.size() && block.domain(read).size() == 1) ++read;
     return read;
   };
-  if (!block.propagate()) return false;
+  std::size_t chosen = 0;
   for (std::size_t place = next(); place < block.size(); place = next()) {
+    if (++chosen % 256 == 0 && stop.stopped()) return Outcome::kStopped;
     const auto& frequencies = block.problem().style().frequencies[block.zone(place)];
     block.restrict(place, TileMask::of(draw_tile(block.domain(place), frequencies, random)));
-    if (!block.propagate()) return false;
+    if (!block.propagate()) return Outcome::kGaveUp;
   }
-  return true;
+  return Outcome::kFound;
 }
 
 }  // namespace solitaire::tiles

@@ -19,11 +19,11 @@ Outcome fill(const Problem& problem, const std::vector<TileMask>& domains, const
              RandomStream& random, const StopSignal& stop, Grid& map) {
   const Block block(problem, domains, map, box);
   for (int attempt = 0; attempt < kCollapses; ++attempt) {
-    if (stop.stopped()) return Outcome::kStopped;
     Block tried = block;
-    if (!collapse(tried, random)) continue;
-    tried.write_to(map);
-    return Outcome::kFound;
+    const Outcome outcome = collapse(tried, random, stop);
+    if (outcome == Outcome::kGaveUp) continue;
+    if (outcome == Outcome::kFound) tried.write_to(map);
+    return outcome;
   }
   Block solved = block;
   const Outcome outcome = solve_block(solved, random, stop);
@@ -50,13 +50,17 @@ Outcome fill_growing(const Problem& problem, const std::vector<TileMask>& domain
 }
 
 template <class Visit>
-Outcome for_each_block(const Size& size, Visit visit) {
+Outcome for_each_block(const Size& size, const StopSignal& stop, Visit visit) {
   const int step = size.depth() > 1 ? kDeepBlock : kFlatBlock;
   const auto blocks = [&](int extent) { return (extent + step - 1) / step; };
   const Size count{{blocks(size.width()), blocks(size.height()), blocks(size.depth())}};
   Outcome outcome = Outcome::kFound;
   for_each_point(count, [&](const Point& at) {
     if (outcome != Outcome::kFound) return;
+    if (stop.stopped()) {
+      outcome = Outcome::kStopped;
+      return;
+    }
     Box box;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       box.from[axis] = at[axis] * step;
@@ -83,8 +87,9 @@ Outcome make_start(const Problem& problem, const std::vector<TileMask>& domains,
                    const StopSignal& stop, Grid& map) {
   map = Grid(problem.size());
   if (domains.empty()) return Outcome::kNone;
-  return for_each_block(
-      problem.size(), [&](const Box& box) { return fill_growing(problem, domains, box, random, stop, map); });
+  return for_each_block(problem.size(), stop, [&](const Box& box) {
+    return fill_growing(problem, domains, box, random, stop, map);
+  });
 }
 
 Outcome solve_whole(const Problem& problem, const std::vector<TileMask>& domains, RandomStream& random,

@@ -27,11 +27,13 @@ void TileClauses::clause(const std::vector<int>& literals) {
   solver_.add(0);
 }
 
-void TileClauses::add_all() {
+bool TileClauses::add_all(const StopSignal& stop) {
   for (std::size_t place = 0; place < block_.size(); ++place) {
+    if (place % 256 == 0 && stop.stopped()) return false;
     add_choice(place);
     add_pairs(place);
   }
+  return true;
 }
 
 void TileClauses::add_choice(std::size_t place) {

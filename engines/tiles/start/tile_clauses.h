@@ -2,6 +2,7 @@
 #include <cadical.hpp>
 #include <vector>
 
+#include "base/stop_signal.h"
 #include "engines/tiles/start/block.h"
 
 namespace solitaire::tiles {
@@ -16,8 +17,8 @@ class TileClauses {
   int variable(std::size_t place, Tile tile) const;
   int new_variable() { return ++last_; }
   void clause(const std::vector<int>& literals);
-  /// Exactly one tile is at each place, and neighbours go together.
-  void add_all();
+  /// Exactly one tile is at each place, and neighbours go together. Returns false if the signal came first.
+  bool add_all(const StopSignal& stop);
   /// After a search that found a model: the tile at a place.
   Tile tile(std::size_t place) const;
 

@@ -57,8 +57,8 @@ std::vector<std::uint32_t> decode_gids(const std::string& file, const std::strin
 /// Returns a file that a map names, which must be in the map's folder or below. Throws FileError.
 std::filesystem::path file_beside(const std::filesystem::path& map, const std::string& named);
 
-/// Reads a map (.tmx, .tmj) with its tilesets. Throws FileError.
-TiledMap read_tmx(const std::filesystem::path& path);
-TiledMap read_tmj(const std::filesystem::path& path);
+/// Reads a map (.tmx, .tmj) from the bytes of its file, with its tilesets. Throws FileError.
+TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes);
+TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace solitaire::tiles

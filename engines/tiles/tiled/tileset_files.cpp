@@ -86,7 +86,8 @@ TiledTileset read_tileset(const std::filesystem::path& path) {
 }
 
 Grid read_tiled(const std::filesystem::path& path, Tileset& tileset, bool open) {
-  const TiledMap map = path.extension() == ".tmj" ? read_tmj(path) : read_tmx(path);
+  const TiledMap map =
+      path.extension() == ".tmj" ? read_tmj(path, read_bytes(path)) : read_tmx(path, read_bytes(path));
   const TiledTiles tiles(path, map);
   std::map<std::uint32_t, Tile> known;
   Grid grid(Size{{map.width, map.height, 1}});

@@ -63,9 +63,9 @@ TiledTileset read_tsj(const std::filesystem::path& path) {
   return tileset_of(object, path);
 }
 
-TiledMap read_tmj(const std::filesystem::path& path) {
+TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes) {
   const std::string file = path.string();
-  const nlohmann::json json = parse_json(file, read_bytes(path));
+  const nlohmann::json json = parse_json(file, bytes);
   JsonObject root(file, json, "");
   const std::string orientation = root.text_or("orientation", "orthogonal");
   if (orientation != "orthogonal")

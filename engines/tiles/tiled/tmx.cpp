@@ -61,9 +61,9 @@ TiledTileset read_tsx(const std::filesystem::path& path) {
   return tileset_of(node, path);
 }
 
-TiledMap read_tmx(const std::filesystem::path& path) {
+TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes) {
   const std::string file = path.string();
-  const pugi::xml_document document = parse_xml(file, read_bytes(path));
+  const pugi::xml_document document = parse_xml(file, bytes);
   const pugi::xml_node root = document.child("map");
   if (!root) throw FileError(file, "is no map of Tiled");
   const std::string orientation = root.attribute("orientation").as_string("orthogonal");
