@@ -53,9 +53,9 @@ void Frontier::advance(const PlanStep& step, std::uint32_t from, std::size_t fir
     tiles &= pair.rules->beside(tile_in(before.key, pair.slot), pair.axis, pair.step);
   }
   const FrontierKey kept = before.key & step.kept;
-  find_partial_codes(step, before.key);
+  find_weights(step, before.key);
   tiles.for_each([&](Tile tile) {
-    const double factor = before.weight * weight(step, tile);
+    const double factor = before.weight * weights_[tile];
     if (!(factor > 0)) return;
     const std::uint32_t to = state_of(step.needed ? kept | FrontierKey{tile} << step.slot : kept, first);
     State& state = states_[to];
@@ -65,31 +65,17 @@ void Frontier::advance(const PlanStep& step, std::uint32_t from, std::size_t fir
   });
 }
 
-/// Notes the codes of the step's factors but for the tile that the step chooses.
-void Frontier::find_partial_codes(const PlanStep& step, FrontierKey key) {
-  partial_codes_.clear();
+/// Multiplies, for each tile, the step's factors that the state's tiles and the tile close.
+void Frontier::find_weights(const PlanStep& step, FrontierKey key) {
+  weights_ = step.own;
   for (const ClosingFactor& factor : step.factors) {
     PatchCode code = factor.standing;
     for (const ClosingFactor::Part& part : plan_.parts(factor)) {
       code |= PatchCode{tile_in(key, part.slot)} << part.shift;
     }
-    partial_codes_.push_back(code);
+    const double* const row = factor.rows->row(code);
+    for (std::size_t tile = 0; tile < weights_.size(); ++tile) weights_[tile] *= row[tile];
   }
-}
-
-double Frontier::weight(const PlanStep& step, Tile tile) const {
-  double product = step.own[tile];
-  for (std::size_t i = 0; i < step.factors.size(); ++i) {
-    const ClosingFactor& factor = step.factors[i];
-    if (factor.table != nullptr) {
-      const auto code = static_cast<std::size_t>(partial_codes_[i]) | std::size_t{tile} << factor.own_shift;
-      product *= factor.multipliers[factor.table[code]];
-    } else {
-      product *=
-          factor.multipliers[factor.patches->find(partial_codes_[i] | PatchCode{tile} << factor.own_shift)];
-    }
-  }
-  return product;
 }
 
 /// Returns the state with a key after the present step, whose states begin at `first`.

@@ -40,8 +40,7 @@ class Frontier {
   static unsigned bits_of(const Problem& problem);
   bool sum_up();
   void advance(const PlanStep& step, std::uint32_t from, std::size_t first);
-  void find_partial_codes(const PlanStep& step, FrontierKey key);
-  double weight(const PlanStep& step, Tile tile) const;
+  void find_weights(const PlanStep& step, FrontierKey key);
   std::uint32_t state_of(FrontierKey key, std::size_t first);
   std::uint32_t state_at(std::uint32_t& entry, FrontierKey key);
   void normalize(std::size_t first);
@@ -52,8 +51,8 @@ class Frontier {
 
   WindowPlan plan_;
   unsigned tile_bits_;
-  std::vector<PatchCode> partial_codes_;  // of the step's factors, for the state at work
-  std::vector<State> states_;             // of all steps, one after another
+  std::vector<double> weights_;  // by tile: the product of the step's factors, for the state at work
+  std::vector<State> states_;    // of all steps, one after another
   std::vector<Edge> edges_;
   // Of the states after the present step: by key where direct_, else by hash.
   std::vector<std::uint32_t> table_;

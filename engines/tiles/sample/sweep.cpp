@@ -8,6 +8,8 @@ namespace {
 /// Longer bands are cut, so that the memory for a window stays small.
 constexpr int kLongestBand = 256;
 constexpr std::uint64_t kThickEvery = 4;
+/// Bands are three sites high where so few columns of three tiles are allowed, else two.
+constexpr std::size_t kMostColumns = 100;
 
 /// A piece of an axis: sites from `from` on, so many of them, going round where the axis is a ring.
 struct Piece {
@@ -30,9 +32,26 @@ std::vector<Piece> pieces(int extent, int length, bool ring, int reach, RandomSt
   return result;
 }
 
+/// Returns how many ways there are at the most to fill three sites in a row along some axis.
+std::size_t columns_of_three(const Style& style) {
+  std::size_t most = 0;
+  for (const PairRules& pairs : style.pairs) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      std::size_t count = 0;
+      for (std::size_t tile = 0; tile < style.tileset.size(); ++tile) {
+        const auto middle = static_cast<Tile>(tile);
+        count += pairs.beside(middle, axis, 1).size() * pairs.beside(middle, axis, -1).size();
+      }
+      most = std::max(most, count);
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
-SweepPlan::SweepPlan(const Problem& problem) : problem_(problem) {
+SweepPlan::SweepPlan(const Problem& problem)
+    : problem_(problem), thickest_(columns_of_three(problem.style()) <= kMostColumns ? 3 : 2) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (problem.size().extent[axis] > 1) axes_.push_back(axis);
     reach_[axis] = 1;
@@ -48,7 +67,8 @@ SweepPlan::Windows SweepPlan::bands(std::uint64_t sweep, RandomStream& random) c
   const std::size_t along = sweep % axes_.size();
   lengths[axes_[along]] = kLongestBand;
   if (sweep / axes_.size() % kThickEvery == kThickEvery - 1 && axes_.size() > 1) {
-    lengths[axes_[(along + 1) % axes_.size()]] = 2 + static_cast<int>(random.below(2));
+    lengths[axes_[(along + 1) % axes_.size()]] =
+        2 + static_cast<int>(random.below(static_cast<std::uint64_t>(thickest_ - 1)));
   }
   return cut(lengths, axes_[along], random);
 }

@@ -12,21 +12,17 @@ class SweepPlan {
   explicit SweepPlan(const Problem& problem);
 
   using Windows = std::vector<std::vector<std::uint32_t>>;
-  /// Returns bands: rows and columns in turns, most of them one site high, every fourth two or three.
+  /// Returns bands: rows and columns in turns, most of them one site high, every fourth two, or three where
+  /// that does not take too long.
   Windows bands(std::uint64_t sweep, RandomStream& random) const;
   /// Returns boxes of up to so many sites along each axis that is longer than 1.
   Windows boxes(int length, int height, std::uint64_t sweep, RandomStream& random) const;
 
  private:
-  struct Cut {
-    std::vector<int> starts;  // of the pieces
-    int length;               // of each, at most
-    int gap;                  // sites between two pieces that stay as they are
-  };
-
   Windows cut(const Point& lengths, std::size_t along, RandomStream& random) const;
 
   const Problem& problem_;
+  int thickest_;                   // of bands, in sites
   std::vector<std::size_t> axes_;  // those longer than 1
   Point reach_{};                  // how far factors reach along an axis
 };

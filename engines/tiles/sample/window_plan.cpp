@@ -5,9 +5,32 @@
 namespace solitaire::tiles {
 
 WindowPlan::WindowPlan(const Problem& problem) : problem_(problem), places_(problem.sites(), kOutside) {
-  for (const SoftShape& shape : problem.style().shapes) {
-    auto& offsets = offsets_.emplace_back();
-    for_each_point(shape.patches.shape(), [&](const Point& at) { offsets.push_back(at); });
+  for (std::size_t shape = 0; shape < problem.style().shapes.size(); ++shape) add_placements(shape);
+}
+
+void WindowPlan::add_placements(std::size_t shape) {
+  const PatchIndex& patches = problem_.style().shapes[shape].patches;
+  const Size& size = problem_.size();
+  const std::ptrdiff_t strides[] = {1, size.width(), std::ptrdiff_t{size.width()} * size.height()};
+  std::vector<Point> offsets;
+  for_each_point(patches.shape(), [&](const Point& at) { offsets.push_back(at); });
+  for (std::size_t own = 0; own < offsets.size(); ++own) {
+    Placement& placement = placements_.emplace_back();
+    placement.shape = shape;
+    placement.own = own;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) placement.first[axis] = -offsets[own][axis];
+    for (std::size_t part = 0; part < offsets.size(); ++part) {
+      if (part == own) continue;
+      Point offset{};
+      std::ptrdiff_t distance = 0;
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        offset[axis] = offsets[part][axis] - offsets[own][axis];
+        distance += offset[axis] * strides[axis];
+      }
+      placement.offsets.push_back(offset);
+      placement.distances.push_back(distance);
+      placement.shifts.push_back(static_cast<unsigned>(part) * patches.bits());
+    }
   }
 }
 
@@ -65,47 +88,63 @@ void WindowPlan::find_pairs(const Grid& map, std::uint32_t place) {
 }
 
 void WindowPlan::find_factors(const Grid& map, std::uint32_t place, Weights& weights) {
-  const Point at = problem_.size().point(steps_[place].site);
-  for (std::size_t shape = 0; shape < offsets_.size(); ++shape) {
-    for (std::size_t own = 0; own < offsets_[shape].size(); ++own) {
-      const Point& offset = offsets_[shape][own];
-      Point anchor = at;
-      if (!problem_.topology().move(anchor, {-offset[0], -offset[1], -offset[2]})) continue;
-      close_factor(map, place, shape, anchor, own, weights);
-    }
+  const std::size_t site = steps_[place].site;
+  const Point at = problem_.size().point(site);
+  for (const Placement& placement : placements_) {
+    if (find_sites(placement, at, site)) close_factor(map, place, placement, weights);
   }
 }
 
-/// Notes the factor at an anchor, whose place `own` is the site at `place`, if it closes there.
-void WindowPlan::close_factor(const Grid& map, std::uint32_t place, std::size_t shape, const Point& anchor,
-                              std::size_t own, Weights& weights) {
-  const PatchIndex& patches = problem_.style().shapes[shape].patches;
+/// Returns whether the shape lies in the grid without going round a ring.
+bool WindowPlan::is_inside(const Placement& placement, const Point& at) const {
+  const Size& shape = problem_.style().shapes[placement.shape].patches.shape();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const int from = at[axis] + placement.first[axis];
+    if (from < 0 || from + shape.extent[axis] > problem_.size().extent[axis]) return false;
+  }
+  return true;
+}
+
+/// Finds the other sites of a shape. Returns false if some of them do not exist.
+bool WindowPlan::find_sites(const Placement& placement, const Point& at, std::size_t site) {
+  sites_.clear();
+  if (is_inside(placement, at)) {
+    for (const std::ptrdiff_t distance : placement.distances) {
+      sites_.push_back(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(site) + distance));
+    }
+    return true;
+  }
+  for (const Point& offset : placement.offsets) {
+    sites_.push_back(problem_.topology().site(at, offset));
+    if (sites_.back() == Topology::kNone) return false;
+  }
+  return true;
+}
+
+/// Notes the factor of a placement, if it closes at the place: if no later place sees it.
+void WindowPlan::close_factor(const Grid& map, std::uint32_t place, const Placement& placement,
+                              Weights& weights) {
+  PlanStep& step = steps_[place];
   const auto first = static_cast<std::uint32_t>(parts_.size());
-  ClosingFactor factor{
-      &patches, patches.table(), nullptr, 0, static_cast<unsigned>(own) * patches.bits(), first, first};
-  ZoneSet zones = 0;
-  for (std::size_t part = 0; part < offsets_[shape].size(); ++part) {
-    const std::size_t site = problem_.topology().site(anchor, offsets_[shape][part]);
-    if (site == Topology::kNone) return parts_.resize(first);
-    zones |= ZoneSet{1} << problem_.zone(site);
-    const unsigned shift = static_cast<unsigned>(part) * patches.bits();
+  ClosingFactor factor{nullptr, 0, first, first};
+  ZoneSet zones = ZoneSet{1} << problem_.zone(step.site);
+  for (std::size_t part = 0; part < sites_.size(); ++part) {
+    const std::size_t site = sites_[part];
     const std::uint32_t other = place_of(site);
     if (other == kOutside) {
-      factor.standing |= PatchCode{map[site]} << shift;
+      factor.standing |= PatchCode{map[site]} << placement.shifts[part];
     } else if (other > place) {
       return parts_.resize(first);
-    } else if (part != own) {
-      parts_.push_back({other, shift});  // the place; assign_slots() knows the slot
+    } else {
+      parts_.push_back({other, placement.shifts[part]});  // the place; assign_slots() knows the slot
     }
+    zones |= ZoneSet{1} << problem_.zone(site);
   }
-  factor.multipliers = weights.of(shape, zones).data();
-  PlanStep& step = steps_[place];
+  factor.rows = &weights.rows(placement.shape, zones, placement.own);
   factor.end_part = static_cast<std::uint32_t>(parts_.size());
   if (factor.end_part == first) {
-    step.tiles.for_each([&](Tile tile) {
-      step.own[tile] *=
-          factor.multipliers[patches.find(factor.standing | PatchCode{tile} << factor.own_shift)];
-    });
+    const double* const row = factor.rows->row(factor.standing);
+    for (std::size_t tile = 0; tile < step.own.size(); ++tile) step.own[tile] *= row[tile];
     return;
   }
   for (const ClosingFactor::Part& part : parts(factor)) need(part.slot, place);

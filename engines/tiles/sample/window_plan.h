@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engines/tiles/model/problem.h"
+#include "engines/tiles/sample/factor_rows.h"
 #include "engines/tiles/sample/weights.h"
 
 namespace solitaire::tiles {
@@ -18,11 +19,8 @@ struct ClosingFactor {
     unsigned shift;  // and in the patch's code
   };
 
-  const PatchIndex* patches;
-  const std::uint32_t* table;          // the patches' numbers by code, or null
-  const double* multipliers;           // by the patch's number
+  FactorRows* rows;                    // what the patches weigh, by all of their tiles but the chosen one
   PatchCode standing;                  // the code's part of tiles around the window
-  unsigned own_shift;                  // of the tile that is chosen
   std::uint32_t first_part, end_part;  // tiles of the window, among the parts of the plan
 };
 
@@ -64,10 +62,22 @@ class WindowPlan {
  private:
   static constexpr std::uint32_t kOutside = UINT32_MAX;
 
+  /// A shape as it lies around the site that closes its factor.
+  struct Placement {
+    std::size_t shape;
+    std::size_t own;                        // the number of that site in the shape
+    Point first{};                          // from that site to the shape's first corner
+    std::vector<std::ptrdiff_t> distances;  // from that site to the others, in site numbers
+    std::vector<Point> offsets;             // the same in places
+    std::vector<unsigned> shifts;           // of the others' tiles in the code
+  };
+
+  void add_placements(std::size_t shape);
+  bool is_inside(const Placement& placement, const Point& at) const;
   void find_pairs(const Grid& map, std::uint32_t place);
   void find_factors(const Grid& map, std::uint32_t place, Weights& weights);
-  void close_factor(const Grid& map, std::uint32_t place, std::size_t shape, const Point& anchor,
-                    std::size_t own, Weights& weights);
+  bool find_sites(const Placement& placement, const Point& at, std::size_t site);
+  void close_factor(const Grid& map, std::uint32_t place, const Placement& placement, Weights& weights);
   void need(std::uint32_t place, std::uint32_t until);
   bool assign_slots();
   std::uint32_t place_of(std::size_t site) const {
@@ -76,9 +86,10 @@ class WindowPlan {
   }
 
   const Problem& problem_;
-  std::vector<std::vector<Point>> offsets_;  // of the shapes' sites
-  std::vector<std::uint32_t> places_;        // by site: its place in the window, if it is there
-  std::vector<PlanStep> steps_;              // the first used_ of them are the plan
+  std::vector<Placement> placements_;
+  std::vector<std::size_t> sites_;     // of the placement at work, but for the closing one
+  std::vector<std::uint32_t> places_;  // by site: its place in the window, if it is there
+  std::vector<PlanStep> steps_;        // the first used_ of them are the plan
   std::size_t used_ = 0;
   std::vector<ClosingFactor::Part> parts_;   // of all factors
   std::vector<std::uint32_t> needed_until_;  // by place: the last step that needs its tile
