@@ -182,7 +182,7 @@ std::string values_text(const ReachableValues& choice) {
   return text + "\n";
 }
 
-Condition frozen(const solitaire::Condition& condition, const ExplanationContext& context) {
+Condition frozen_condition(const solitaire::Condition& condition, const ExplanationContext& context) {
   Condition made{kind_of(condition),
                  place_of(condition.span, context.sources),
                  context.addresses.text(condition.address),
@@ -199,7 +199,7 @@ Condition frozen(const solitaire::Condition& condition, const ExplanationContext
 Conflict frozen(const solitaire::Conflict& conflict, const ExplanationContext& context) {
   Conflict made{conflict.minimal, {}, conflict_text(conflict, context)};
   for (const solitaire::Condition& condition : conflict.members)
-    made.members.push_back(frozen(condition, context));
+    made.members.push_back(frozen_condition(condition, context));
   return made;
 }
 

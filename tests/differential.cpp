@@ -66,7 +66,7 @@ std::string describe(const ProgramError& error, const SourceSet& sources) {
   return fmt::format("{}: {}", sources.place(first.span), first.message);
 }
 
-struct Found {
+struct FoundResults {
   std::set<std::string> solutions;
   std::set<std::string> errors;
   std::string fault;  // what no engine may do
@@ -165,7 +165,7 @@ class Comparer {
 
   void compare(const std::string& name, const Exploration& exploration, bool diverse = true) {
     if (result_.outcome != Comparison::Outcome::kEqual) return;
-    const Found found = solve(exploration, diverse);
+    const FoundResults found = solve(exploration, diverse);
     ending_ = found.ending;
     if (!found.fault.empty()) return differ(name, found.fault);
     for (const std::string& error : found.errors) {
@@ -189,7 +189,7 @@ class Comparer {
     }
   }
 
-  Found solve(const Exploration& exploration, bool diverse) {
+  FoundResults solve(const Exploration& exploration, bool diverse) {
     StopSignal stop;
     stop.set_deadline(StopSignal::Clock::now() + kTimeOfAnEngine);
     TracingOptions options;
@@ -199,7 +199,7 @@ class Comparer {
     options.replay = Replay::kSome;  // so that what is read off the trace is compared, too
     options.limits = limits_;
     options.limits.stop = &stop;
-    Found found;
+    FoundResults found;
     try {
       TracingEngine engine(program_, {}, options);
       while (const auto solution = engine.next()) {
@@ -231,7 +231,7 @@ class Comparer {
   Program program_;
   std::uint64_t seed_;
   Limits limits_;
-  Found expected_;
+  FoundResults expected_;
   Ending ending_ = Ending::kNone;
   Comparison result_;
 };

@@ -52,7 +52,7 @@ constexpr std::chrono::seconds kLongest{120};
 /// Of larger ones only other solvers confirm that these are all.
 constexpr std::uint64_t kMostExecutions = 10'000;
 
-struct Expectation {
+struct SnippetExpectation {
   std::string text;
   std::size_t line = 0;
   bool behind_code = false;
@@ -63,13 +63,13 @@ struct PageProgram {
   std::size_t line = 0;  // of its first line, in the page
   std::string fence;     // what follows ```sol
   std::string text;
-  std::map<std::string, std::vector<Expectation>> expectations;
+  std::map<std::string, std::vector<SnippetExpectation>> expectations;
 
   std::string place() const { return fmt::format("{}:{}", page, line); }
   bool shown_only() const { return fence.rfind("norun", 0) == 0; }
   bool expects(const std::string& kind) const { return expectations.contains(kind); }
-  const std::vector<Expectation>& of(const std::string& kind) const {
-    static const std::vector<Expectation> kNone;
+  const std::vector<SnippetExpectation>& of(const std::string& kind) const {
+    static const std::vector<SnippetExpectation> kNone;
     const auto it = expectations.find(kind);
     return it == expectations.end() ? kNone : it->second;
   }
@@ -141,21 +141,21 @@ class PageFolder {
   fs::path path_;
 };
 
-std::set<std::string> texts_of(const std::vector<Expectation>& expectations) {
+std::set<std::string> texts_of(const std::vector<SnippetExpectation>& expectations) {
   std::set<std::string> texts;
-  for (const Expectation& expectation : expectations) texts.insert(expectation.text);
+  for (const SnippetExpectation& expectation : expectations) texts.insert(expectation.text);
   return texts;
 }
 
-std::vector<std::string> lines_of(const std::vector<Expectation>& expectations) {
+std::vector<std::string> lines_of(const std::vector<SnippetExpectation>& expectations) {
   std::vector<std::string> lines;
-  for (const Expectation& expectation : expectations) lines.push_back(expectation.text);
+  for (const SnippetExpectation& expectation : expectations) lines.push_back(expectation.text);
   return lines;
 }
 
 std::vector<std::pair<std::string, std::string>> settings_of(const PageProgram& shown) {
   std::vector<std::pair<std::string, std::string>> settings;
-  for (const Expectation& setting : shown.of("set")) {
+  for (const SnippetExpectation& setting : shown.of("set")) {
     const auto sign = setting.text.find('=');
     REQUIRE(sign != std::string::npos);
     settings.emplace_back(setting.text.substr(0, sign), setting.text.substr(sign + 1));
@@ -239,7 +239,7 @@ void check_possibilities(const PageProgram& shown, const Program& program, const
 }
 
 void check_error(const PageProgram& shown, const Diagnostic& diagnostic, const SourceSet& sources) {
-  const Expectation& expected = shown.of("error").front();
+  const SnippetExpectation& expected = shown.of("error").front();
   CHECK(diagnostic.message == expected.text);
   if (expected.behind_code)
     CHECK(sources[diagnostic.span.source].position(diagnostic.span.begin).line == expected.line);

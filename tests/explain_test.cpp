@@ -50,7 +50,7 @@ std::vector<Members> conflicts_of(const RunOfProgram& run, const SearchMethod& m
   return conflicts;
 }
 
-void check_script(const fs::path& script) {
+void check_reason(const fs::path& script) {
   SourceSet sources;
   const Program program = load_program(script, library(), sources);
   ExplainComments expected;
@@ -78,7 +78,7 @@ void check_scripts(std::size_t part) {
     const std::string name = scripts[i].filename().string();
     INFO("in ", name);
     try {
-      check_script(scripts[i]);
+      check_reason(scripts[i]);
     } catch (const ProgramError& error) {
       FAIL_CHECK(std::string(error.what()));
     }

@@ -5,25 +5,25 @@
 namespace solitaire {
 namespace {
 
-using Result = std::optional<Scalar>;
+using Folded = std::optional<Scalar>;
 
-Result exact(std::int64_t value) {
+Folded exact(std::int64_t value) {
   if (!is_exact(value)) return std::nullopt;
   return Scalar::of(value);
 }
 
-Result multiply_exactly(std::int64_t a, std::int64_t b) {
+Folded multiply_exactly(std::int64_t a, std::int64_t b) {
   std::int64_t product = 0;
   if (__builtin_mul_overflow(a, b, &product)) return std::nullopt;
   return exact(product);
 }
 
-Result floor_divide(std::int64_t a, std::int64_t b) {
+Folded floor_quotient(std::int64_t a, std::int64_t b) {
   if (b == 0) return std::nullopt;
   return Scalar::of(a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0));
 }
 
-Result floor_modulo(std::int64_t a, std::int64_t b) {
+Folded floor_modulo(std::int64_t a, std::int64_t b) {
   if (b == 0) return std::nullopt;
   const std::int64_t remainder = a % b;
   return Scalar::of((remainder != 0 && (a < 0) != (b < 0)) ? remainder + b : remainder);
@@ -32,30 +32,30 @@ Result floor_modulo(std::int64_t a, std::int64_t b) {
 /// Past 2^53 a double no longer tells neighbouring ints apart.
 constexpr double kFloorLimit = 9007199254740992.0;
 
-Result floor_exactly(double value) {
+Folded floor_exactly(double value) {
   const double floor = std::floor(value);
   if (!(std::abs(floor) <= kFloorLimit)) return std::nullopt;
   return Scalar::of(static_cast<std::int64_t>(floor));
 }
 
 /// Gives nothing where a result is past the largest float.
-Result finite(double value) {
+Folded finite(double value) {
   if (!std::isfinite(value)) return std::nullopt;
   return Scalar::of(value);
 }
 
-Result divide_float(double a, double b) {
+Folded divide_float(double a, double b) {
   if (b == 0) return std::nullopt;
   return finite(a / b);
 }
 
 /// Gives nothing where a function is undefined although none of its operands is.
-Result unless_undefined(double value) {
+Folded unless_undefined(double value) {
   if (std::isnan(value)) return std::nullopt;
   return Scalar::of(value);
 }
 
-Result logarithm(double a) {
+Folded logarithm(double a) {
   if (a <= 0) return std::nullopt;
   return Scalar::of(std::log(a));
 }
@@ -95,49 +95,49 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kChoice, "range", "", 0, kI, kI, nullptr, nullptr},
     {Op::kChoiceFloat, "draw", "", 0, kF, kF, nullptr, nullptr},
 
-    {Op::kNot, "not", "not", 1, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i == 0); }, nullptr},
-    {Op::kAnd, "and", "and", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i != 0 && a[1].i != 0); }, nullptr, kCommutative},
-    {Op::kOr, "or", "or", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i != 0 || a[1].i != 0); }, nullptr, kCommutative},
-    {Op::kEqBool, "iff", "==", 2, kB, kB, [](S a) -> Result { return Scalar::of(a[0].i == a[1].i); }, nullptr, kCommutative},
-    {Op::kIteBool, "if", "", 3, kB, kB, [](S a) -> Result { return a[0].i != 0 ? a[1] : a[2]; }, nullptr},
+    {Op::kNot, "not", "not", 1, kB, kB, [](S a) -> Folded { return Scalar::of(a[0].i == 0); }, nullptr},
+    {Op::kAnd, "and", "and", 2, kB, kB, [](S a) -> Folded { return Scalar::of(a[0].i != 0 && a[1].i != 0); }, nullptr, kCommutative},
+    {Op::kOr, "or", "or", 2, kB, kB, [](S a) -> Folded { return Scalar::of(a[0].i != 0 || a[1].i != 0); }, nullptr, kCommutative},
+    {Op::kEqBool, "iff", "==", 2, kB, kB, [](S a) -> Folded { return Scalar::of(a[0].i == a[1].i); }, nullptr, kCommutative},
+    {Op::kIteBool, "if", "", 3, kB, kB, [](S a) -> Folded { return a[0].i != 0 ? a[1] : a[2]; }, nullptr},
 
     {Op::kAdd, "add", "+", 2, kI, kI, [](S a) { return exact(a[0].i + a[1].i); }, [](I a) { return add(a[0], a[1]); }, kCommutative},
     {Op::kSub, "sub", "-", 2, kI, kI, [](S a) { return exact(a[0].i - a[1].i); }, [](I a) { return subtract(a[0], a[1]); }},
     {Op::kMul, "mul", "*", 2, kI, kI, [](S a) { return multiply_exactly(a[0].i, a[1].i); }, [](I a) { return multiply(a[0], a[1]); }, kCommutative},
-    {Op::kDiv, "div", "/", 2, kI, kI, [](S a) { return floor_divide(a[0].i, a[1].i); }, [](I a) { return divide(a[0], a[1]); }},
+    {Op::kDiv, "div", "/", 2, kI, kI, [](S a) { return floor_quotient(a[0].i, a[1].i); }, [](I a) { return divide(a[0], a[1]); }},
     {Op::kMod, "mod", "%", 2, kI, kI, [](S a) { return floor_modulo(a[0].i, a[1].i); }, [](I a) { return modulo(a[0], a[1]); }},
-    {Op::kNeg, "neg", "-", 1, kI, kI, [](S a) -> Result { return Scalar::of(-a[0].i); }, [](I a) { return negate(a[0]); }},
-    {Op::kMin, "min", "", 2, kI, kI, [](S a) -> Result { return Scalar::of(std::min(a[0].i, a[1].i)); }, [](I a) { return minimum(a[0], a[1]); }, kCommutative},
-    {Op::kMax, "max", "", 2, kI, kI, [](S a) -> Result { return Scalar::of(std::max(a[0].i, a[1].i)); }, [](I a) { return maximum(a[0], a[1]); }, kCommutative},
-    {Op::kAbs, "abs", "", 1, kI, kI, [](S a) -> Result { return Scalar::of(std::abs(a[0].i)); }, [](I a) { return absolute(a[0]); }},
-    {Op::kIteInt, "if", "", 3, kI, kI, [](S a) -> Result { return a[0].i != 0 ? a[1] : a[2]; }, [](I a) { return hull(a[1], a[2]); }},
+    {Op::kNeg, "neg", "-", 1, kI, kI, [](S a) -> Folded { return Scalar::of(-a[0].i); }, [](I a) { return negate(a[0]); }},
+    {Op::kMin, "min", "", 2, kI, kI, [](S a) -> Folded { return Scalar::of(std::min(a[0].i, a[1].i)); }, [](I a) { return minimum(a[0], a[1]); }, kCommutative},
+    {Op::kMax, "max", "", 2, kI, kI, [](S a) -> Folded { return Scalar::of(std::max(a[0].i, a[1].i)); }, [](I a) { return maximum(a[0], a[1]); }, kCommutative},
+    {Op::kAbs, "abs", "", 1, kI, kI, [](S a) -> Folded { return Scalar::of(std::abs(a[0].i)); }, [](I a) { return absolute(a[0]); }},
+    {Op::kIteInt, "if", "", 3, kI, kI, [](S a) -> Folded { return a[0].i != 0 ? a[1] : a[2]; }, [](I a) { return hull(a[1], a[2]); }},
 
-    {Op::kEqInt, "eq", "==", 2, kI, kB, [](S a) -> Result { return Scalar::of(a[0].i == a[1].i); }, nullptr, kCommutative},
-    {Op::kLtInt, "lt", "<", 2, kI, kB, [](S a) -> Result { return Scalar::of(a[0].i < a[1].i); }, nullptr},
-    {Op::kLeInt, "le", "<=", 2, kI, kB, [](S a) -> Result { return Scalar::of(a[0].i <= a[1].i); }, nullptr},
+    {Op::kEqInt, "eq", "==", 2, kI, kB, [](S a) -> Folded { return Scalar::of(a[0].i == a[1].i); }, nullptr, kCommutative},
+    {Op::kLtInt, "lt", "<", 2, kI, kB, [](S a) -> Folded { return Scalar::of(a[0].i < a[1].i); }, nullptr},
+    {Op::kLeInt, "le", "<=", 2, kI, kB, [](S a) -> Folded { return Scalar::of(a[0].i <= a[1].i); }, nullptr},
 
-    {Op::kToFloat, "float", "", 1, kI, kF, [](S a) -> Result { return Scalar::of(static_cast<double>(a[0].i)); }, nullptr},
+    {Op::kToFloat, "float", "", 1, kI, kF, [](S a) -> Folded { return Scalar::of(static_cast<double>(a[0].i)); }, nullptr},
     {Op::kFloor, "floor", "", 1, kF, kI, [](S a) { return floor_exactly(a[0].f); },
      [](I) { return Interval{-static_cast<std::int64_t>(kFloorLimit), static_cast<std::int64_t>(kFloorLimit)}; }},
     {Op::kAddFloat, "fadd", "+", 2, kF, kF, [](S a) { return finite(a[0].f + a[1].f); }, nullptr, kCommutative, [](S, double, P d) { d[0] = 1; d[1] = 1; }},
     {Op::kSubFloat, "fsub", "-", 2, kF, kF, [](S a) { return finite(a[0].f - a[1].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = 1; d[1] = -1; }},
     {Op::kMulFloat, "fmul", "*", 2, kF, kF, [](S a) { return finite(a[0].f * a[1].f); }, nullptr, kCommutative, [](S a, double, P d) { d[0] = a[1].f; d[1] = a[0].f; }},
     {Op::kDivFloat, "fdiv", "/", 2, kF, kF, [](S a) { return divide_float(a[0].f, a[1].f); }, nullptr, kOrdered, [](S a, double r, P d) { d[0] = 1 / a[1].f; d[1] = -r / a[1].f; }},
-    {Op::kNegFloat, "fneg", "-", 1, kF, kF, [](S a) -> Result { return Scalar::of(-a[0].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = -1; }},
-    {Op::kMinFloat, "fmin", "", 2, kF, kF, [](S a) -> Result { return a[1].f < a[0].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[1].f < a[0].f), d); }},
-    {Op::kMaxFloat, "fmax", "", 2, kF, kF, [](S a) -> Result { return a[0].f < a[1].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[0].f < a[1].f), d); }},
+    {Op::kNegFloat, "fneg", "-", 1, kF, kF, [](S a) -> Folded { return Scalar::of(-a[0].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = -1; }},
+    {Op::kMinFloat, "fmin", "", 2, kF, kF, [](S a) -> Folded { return a[1].f < a[0].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[1].f < a[0].f), d); }},
+    {Op::kMaxFloat, "fmax", "", 2, kF, kF, [](S a) -> Folded { return a[0].f < a[1].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[0].f < a[1].f), d); }},
     {Op::kSqrt, "sqrt", "", 1, kF, kF, [](S a) { return unless_undefined(std::sqrt(a[0].f)); }, nullptr, kOrdered, [](S, double r, P d) { d[0] = 0.5 / r; }},
-    {Op::kExp, "exp", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::exp(a[0].f)); }, nullptr, kOrdered, [](S, double r, P d) { d[0] = r; }},
+    {Op::kExp, "exp", "", 1, kF, kF, [](S a) -> Folded { return Scalar::of(std::exp(a[0].f)); }, nullptr, kOrdered, [](S, double r, P d) { d[0] = r; }},
     {Op::kLog, "log", "", 1, kF, kF, [](S a) { return logarithm(a[0].f); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = 1 / a[0].f; }},
     {Op::kPow, "pow", "", 2, kF, kF, [](S a) { return unless_undefined(std::pow(a[0].f, a[1].f)); }, nullptr, kOrdered, power_derivative},
-    {Op::kSin, "sin", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::sin(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = std::cos(a[0].f); }},
-    {Op::kCos, "cos", "", 1, kF, kF, [](S a) -> Result { return Scalar::of(std::cos(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = -std::sin(a[0].f); }},
-    {Op::kAtan2, "atan2", "", 2, kF, kF, [](S a) -> Result { return Scalar::of(std::atan2(a[0].f, a[1].f)); }, nullptr, kOrdered, atan2_derivative},
-    {Op::kIteFloat, "if", "", 3, kF, kF, [](S a) -> Result { return a[0].i != 0 ? a[1] : a[2]; }, nullptr, kOrdered, [](S a, double, P d) { taken(a[0].i != 0, d + 1); }},
+    {Op::kSin, "sin", "", 1, kF, kF, [](S a) -> Folded { return Scalar::of(std::sin(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = std::cos(a[0].f); }},
+    {Op::kCos, "cos", "", 1, kF, kF, [](S a) -> Folded { return Scalar::of(std::cos(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = -std::sin(a[0].f); }},
+    {Op::kAtan2, "atan2", "", 2, kF, kF, [](S a) -> Folded { return Scalar::of(std::atan2(a[0].f, a[1].f)); }, nullptr, kOrdered, atan2_derivative},
+    {Op::kIteFloat, "if", "", 3, kF, kF, [](S a) -> Folded { return a[0].i != 0 ? a[1] : a[2]; }, nullptr, kOrdered, [](S a, double, P d) { taken(a[0].i != 0, d + 1); }},
 
-    {Op::kEqFloat, "feq", "==", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f == a[1].f); }, nullptr, kCommutative},
-    {Op::kLtFloat, "flt", "<", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f < a[1].f); }, nullptr},
-    {Op::kLeFloat, "fle", "<=", 2, kF, kB, [](S a) -> Result { return Scalar::of(a[0].f <= a[1].f); }, nullptr},
+    {Op::kEqFloat, "feq", "==", 2, kF, kB, [](S a) -> Folded { return Scalar::of(a[0].f == a[1].f); }, nullptr, kCommutative},
+    {Op::kLtFloat, "flt", "<", 2, kF, kB, [](S a) -> Folded { return Scalar::of(a[0].f < a[1].f); }, nullptr},
+    {Op::kLeFloat, "fle", "<=", 2, kF, kB, [](S a) -> Folded { return Scalar::of(a[0].f <= a[1].f); }, nullptr},
 }};
 // clang-format on
 

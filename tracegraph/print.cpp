@@ -82,14 +82,14 @@ std::string domain_text(const Distribution& domain) {
   return fmt::format("range({}, {})", domain.lo, domain.hi);
 }
 
-using Result = std::function<std::string(const NodeNames&)>;
+using ResultText = std::function<std::string(const NodeNames&)>;
 
 class TextPrinter {
  public:
   TextPrinter(const Graph& graph, const AddressTable& addresses)
       : graph_(graph), addresses_(addresses), numbers_(graph.size(), 0) {}
 
-  std::string run(const Trace& trace, const Result& result) {
+  std::string run(const Trace& trace, const ResultText& result) {
     for (const NodeId node : nodes_of(graph_, trace)) {
       if (!graph_.node(node).is_constant()) define(node);
     }
@@ -172,7 +172,7 @@ std::string dot_string(const std::string& text) {
 }  // namespace
 
 std::string trace_text(const Graph& graph, const AddressTable& addresses, const Trace& trace,
-                       const Result& result) {
+                       const ResultText& result) {
   return TextPrinter(graph, addresses).run(trace, result);
 }
 

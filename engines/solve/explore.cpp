@@ -7,18 +7,15 @@
 #include "engines/random_choices.h"
 
 namespace solitaire {
-namespace {
-
-struct SideHash {
-  std::size_t operator()(const BranchSide& side) const {
-    return mix(side.branch.index, static_cast<std::uint64_t>(side.kind));
-  }
-};
-
-}  // namespace
 
 class Explorer::OpenSides : public Branches {
  public:
+  struct SideHash {
+    std::size_t operator()(const BranchSide& side) const {
+      return mix(side.branch.index, static_cast<std::uint64_t>(side.kind));
+    }
+  };
+
   std::uint32_t levels = 0;                                        // that a pass starts with
   std::size_t most_unasked = 0;                                    // sides that a pass may open by level
   std::size_t unasked = 0;                                         // those that the current pass did

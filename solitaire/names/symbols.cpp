@@ -135,7 +135,7 @@ class SymbolCollector : public TreeWalker {
   void use(SymbolId symbol, Span span) { table_.uses_.push_back({span, symbol}); }
 
   void define(SymbolId symbol, SymbolKind kind, Span span) {
-    Symbol& made = table_.symbols_[symbol];
+    SymbolInfo& made = table_.symbols_[symbol];
     if (!made.definition) {
       made.definition = span;
       made.kind = kind;

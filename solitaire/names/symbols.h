@@ -13,7 +13,7 @@ namespace solitaire {
 enum class SymbolKind : std::uint8_t { kVariable, kParameter, kFunction, kRecord, kParam, kFile, kBuiltin };
 
 /// A variable, function, file or builtin that names stand for, and the places that name it.
-struct Symbol {
+struct SymbolInfo {
   std::string name;
   SymbolKind kind = SymbolKind::kVariable;
   /// The place that first gives it a value: a declaration, or the first assignment in the text. For an
@@ -31,7 +31,7 @@ class SymbolTable {
  public:
   explicit SymbolTable(const Program& program);
 
-  const Symbol& operator[](SymbolId symbol) const { return symbols_[symbol]; }
+  const SymbolInfo& operator[](SymbolId symbol) const { return symbols_[symbol]; }
   std::size_t size() const { return symbols_.size(); }
 
   /// Returns the symbol that is named at an offset, or just before it.
@@ -57,7 +57,7 @@ class SymbolTable {
     SymbolId symbol;
   };
 
-  std::vector<Symbol> symbols_;
+  std::vector<SymbolInfo> symbols_;
   std::vector<Scope> scopes_;                        // outer ones first; modules have the first ones
   std::vector<Use> uses_;                            // in the order of the sources
   std::vector<std::vector<std::uint32_t>> imports_;  // by module

@@ -9,8 +9,8 @@
 namespace solitaire::tiles {
 namespace {
 
-const double kLogBroken = std::log(1e-8);         // as in the paper's section 8.2
-constexpr std::uint64_t kStepsPerSite = 200'000;  // before it gives up
+const double kLogBroken = std::log(1e-8);                // as in the paper's section 8.2
+constexpr std::uint64_t kStepsBeforeGivingUp = 200'000;  // before it gives up
 
 /// A chain that changes one site at a time.
 class SiteChain {
@@ -85,7 +85,7 @@ Sample sample_sites(const Problem& problem, const SamplerOptions& options, std::
                     const StopSignal& stop) {
   Sample sample;
   SiteChain chain(problem, options, number);
-  const std::uint64_t most = options.effort > 0 ? options.effort : kStepsPerSite * problem.sites();
+  const std::uint64_t most = options.effort > 0 ? options.effort : kStepsBeforeGivingUp * problem.sites();
   while (chain.broken() > 0 && sample.windows < most) {
     if (sample.windows % 1024 == 0 && stop.stopped()) return sample;
     chain.step();

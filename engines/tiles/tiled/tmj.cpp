@@ -8,10 +8,10 @@
 namespace solitaire::tiles {
 namespace {
 
-constexpr std::int64_t kMostExtent = 1 << 20;
+constexpr std::int64_t kLargestExtent = 1 << 20;
 
 int small_number(JsonObject& object, const char* member) {
-  return object.has(member) ? static_cast<int>(object.number(member, -kMostExtent, kMostExtent)) : 0;
+  return object.has(member) ? static_cast<int>(object.number(member, -kLargestExtent, kLargestExtent)) : 0;
 }
 
 TiledTileset tileset_of(JsonObject& object, const std::filesystem::path& file) {
@@ -33,8 +33,8 @@ TiledTileset tileset_of(JsonObject& object, const std::filesystem::path& file) {
 }
 
 void read_data(const std::string& file, JsonObject& layer, JsonObject& holder, TiledLayer& to) {
-  const std::int64_t width = holder.number("width", 1, kMostExtent),
-                     height = holder.number("height", 1, kMostExtent);
+  const std::int64_t width = holder.number("width", 1, kLargestExtent),
+                     height = holder.number("height", 1, kLargestExtent);
   const std::int64_t x = small_number(holder, "x"), y = small_number(holder, "y");
   const auto count = static_cast<std::size_t>(width * height);
   const nlohmann::json& data = holder.at("data");
