@@ -3,6 +3,7 @@
 #include <solitaire/output.h>
 #include <solitaire/solitaire.h>
 
+#include "library/choice_columns.h"
 #include "library/program_state.h"
 #include "library/run_manifest.h"
 #include "library/scene_of.h"
@@ -11,8 +12,7 @@
 #include "scene/assets.h"
 #include "scene/atomic_file.h"
 #include "scene/gltf/writer.h"
-#include "scene/page/gallery.h"
-#include "scene/page/plan.h"
+#include "scene/page/page_files.h"
 #include "scene/picture/picture_files.h"
 
 namespace solitaire::api {
@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 
 /// The page shows so many bytes of a solution's value.
 constexpr std::size_t kShownValue = 400;
+/// It sorts and filters by values of at most so many bytes of JSON.
+constexpr std::size_t kComparedValue = 2000;
 
 std::string shortened(const std::string& text) {
   if (text.size() <= kShownValue) return text;
@@ -37,13 +39,16 @@ AssetLibrary assets_of(const Program& program) {
   return {program.state().data / "assets", program.state().program.folder()};
 }
 
-void make_folder(const fs::path& folder) {
+/// Makes the folder ready for a run's files, and returns it.
+const fs::path& made_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder)) {
     throw Error(Error::Kind::kFile,
                 fmt::format("{}: {}", folder.string(), error ? error.message() : "is not a folder"));
   }
+  remove_abandoned_files(folder);
+  return folder;
 }
 
 }  // namespace
@@ -75,9 +80,8 @@ class OutputFolder::State {
         program_(program),
         options_(options),
         timings_(timings),
-        assets_(assets_of(program)) {
-    make_folder(folder);
-    remove_abandoned_files(folder);
+        assets_(assets_of(program)),
+        page_(made_folder(folder), program.state().data / "page") {
     if (pictures)
       pictures_.emplace(folder, solitaire::PictureSize{pictures->width, pictures->height}, options.jobs);
   }
@@ -91,22 +95,25 @@ class OutputFolder::State {
       const auto& optimal = earlier[solution.number - 1].optimal;
       if (solution.quality && optimal) solution.quality->proved_best = *optimal;
       GalleryEntry entry = entry_of(solution);
-      const auto scene = draw(entry, solution);
+      const auto scene = scene_of_entry(entry, solution);
       if (scene && pictures_) entry.picture = pictures_->take_up(*scene, entry.name);
-      entries_.push_back(std::move(entry));
+      show(std::move(entry), solution, scene, scene ? glb_bytes(*scene) : "");
     }
     written_ = search.summary();
   }
 
   void add(const Solution& solution, const Summary& summary) {
     GalleryEntry entry = entry_of(solution);
-    if (const auto scene = draw(entry, solution)) {
-      solitaire::write_glb(*scene, folder_ / entry.glb);
+    const auto scene = scene_of_entry(entry, solution);
+    std::string glb;
+    if (scene) {
+      glb = solitaire::write_glb(*scene, folder_ / entry.glb);
       if (pictures_) entry.picture = pictures_->draw(*scene, entry.name);
     }
+    const std::string file = entry.json, text = json(entry.name, solution, summary);
+    show(std::move(entry), solution, scene, glb);
     // The last of the files: where it is, the others are.
-    write_file_atomically(folder_ / entry.json, json(entry.name, solution, summary));
-    entries_.push_back(std::move(entry));
+    write_file_atomically(folder_ / file, text);
     written_ = summary;
   }
 
@@ -114,8 +121,7 @@ class OutputFolder::State {
     if (pictures_) pictures_->close();
     std::optional<fs::path> page;
     if (!entries_.empty()) {
-      page = folder_ / "index.html";
-      write_file_atomically(*page, gallery());
+      page = page_.close(gallery_info(), entries_, choices_.json());
     }
     Json manifest{{"name", program_.name()}, {"version", version()}};
     manifest.update(run_json(program_, options_));
@@ -151,23 +157,44 @@ class OutputFolder::State {
     return entry;
   }
 
-  /// Returns the solution's scene, nothing if it places nothing; puts its plan into the entry.
-  std::optional<Scene> draw(GalleryEntry& entry, const Solution& solution) {
+  /// Returns the solution's scene, nothing if it places nothing; names its file in the entry.
+  std::optional<Scene> scene_of_entry(GalleryEntry& entry, const Solution& solution) {
     if (solution.placements.empty()) return std::nullopt;
     entry.glb = entry.name + ".glb";
-    Scene scene = scene_of(solution, entry.name, assets_);
-    entry.plan = svg_plan(scene);
-    return scene;
+    return scene_of(solution, entry.name, assets_);
   }
 
-  std::string gallery() const {
+  /// Puts the solution onto the page.
+  void show(GalleryEntry entry, const Solution& solution, const std::optional<Scene>& scene,
+            const std::string& glb) {
+    const SolutionFiles files =
+        page_.add(entry.name, scene ? &*scene : nullptr, glb, json_text(json_of(solution)));
+    entry.plan = files.drawing;
+    entry.facts = json_text(facts_of(solution, files.script));
+    choices_.add(solution.choices);
+    entries_.push_back(std::move(entry));
+  }
+
+  /// Returns what the page sorts and filters by.
+  static Json facts_of(const Solution& solution, const std::string& script) {
+    Json facts{{"index", solution.number}, {"script", script}};
+    if (Json value = json_of(solution.value); json_text(value).size() <= kComparedValue)
+      facts["value"] = std::move(value);
+    if (solution.quality) {
+      facts["cost"] = solution.quality->cost;
+      facts["broken"] = solution.quality->broken;
+    }
+    return facts;
+  }
+
+  GalleryInfo gallery_info() const {
     GalleryInfo info{program_.name(), program_.file_name(), std::to_string(options_.seed),
-                     program_.settings()};
+                     program_.settings(), json_text(run_json(program_, options_))};
     if (written_.solutions > 1) {
       info.options.emplace_back("mean distance of choices", fmt::format("{:.2f}", written_.choice_distance));
       info.options.emplace_back("of results", fmt::format("{:.2f}", written_.result_distance));
     }
-    return gallery_html(info, entries_);
+    return info;
   }
 
   std::string json(const std::string& name, const Solution& solution, const Summary& summary) const {
@@ -184,7 +211,9 @@ class OutputFolder::State {
   bool timings_;
   AssetLibrary assets_;
   std::optional<PictureFiles> pictures_;
+  PageFiles page_;
   std::vector<GalleryEntry> entries_;
+  ChoiceColumns choices_;
   Summary written_;  // of the search, as of the last solution whose files are there
 };
 

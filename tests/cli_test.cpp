@@ -168,7 +168,10 @@ TEST_CASE("cli: generate writes the same bytes for the same seed, and other scen
     return files_in(place / folder);
   };
   const auto first = generate("7", "a");
-  CHECK(first.size() == 8);
+  const auto beside_page = std::count_if(first.begin(), first.end(),
+                                         [](const auto& file) { return file.first.rfind("page/", 0) == 0; });
+  CHECK(beside_page == 2 * 3 + 4);
+  CHECK(first.size() == 8 + 2 * 3 + 4);
   CHECK(first.count("scene-run.json") == 1);
   CHECK(first.count("scene-0003.glb") == 1);
   CHECK(first.count("scene-0003.json") == 1);

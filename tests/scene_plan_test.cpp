@@ -21,7 +21,8 @@ std::vector<Drawn> drawn_objects(const std::string& svg) {
   const auto scan = [](const char* text, const char* format, auto... targets) {
     std::sscanf(text, format, targets...);
   };
-  for (auto at = svg.find("<g><title>"); at != std::string::npos; at = svg.find("<g><title>", at + 1)) {
+  for (auto at = svg.find("<g data-address="); at != std::string::npos;
+       at = svg.find("<g data-address=", at + 1)) {
     const std::string one = svg.substr(at, svg.find("\n<", svg.find("</title>", at)) - at);
     Drawn object;
     double ignored = 0;
@@ -88,8 +89,17 @@ TEST_CASE("plan and gallery: names are escaped, whatever they hold") {
   placement.address = "a<b>";
   const std::string plan = svg_plan(build_scene({placement}, 1, "t<i>tle", assets));
   const std::string page =
-      gallery_html({"t<i>tle", "a&b.sol", "\"1\"", {{"<o>", "<v>"}}},
-                   {{1, "n<1>", plan, "a \"b\":#ü.glb", "j.json", "<v>&", 2, {"cost <5>"}, ""}});
+      gallery_html({"t<i>tle", "a&b.sol", "\"1\"", {{"<o>", "<v>"}}, "{\"<b>\":\"</script>\"}"},
+                   {{1,
+                     placement.name,
+                     "a<b>.svg",
+                     "a \"b\":#ü.glb",
+                     "j.json",
+                     "<v>&",
+                     2,
+                     {"cost <5>"},
+                     "",
+                     "{\"value\":\"<b>\"}"}});
   for (const std::string& text : {plan, page}) {
     CHECK(text.find("<script>") == std::string::npos);
     CHECK(text.find("<i>") == std::string::npos);
@@ -103,9 +113,13 @@ TEST_CASE("plan and gallery: names are escaped, whatever they hold") {
 }
 
 TEST_CASE("gallery: a picture stands before the plan, whatever its name") {
-  const std::string page = gallery_html(
-      {"t", "", "", {}}, {{1, "n", "<svg>plan</svg>", "n.glb", "n.json", "", 0, {}, "a \"b\".png"}});
-  CHECK(page.find("<img src=\"./a%20%22b%22.png\" alt=\"Picture of n\"") < page.find("<svg>plan</svg>"));
+  const std::string page =
+      gallery_html({"t", "", "", {}}, {{1, "n", "page/n.svg", "n.glb", "n.json", "", 0, {}, "a \"b\".png"}});
+  CHECK(page.find("<img src=\"./a%20%22b%22.png\" alt=\"Picture of n\"") != std::string::npos);
+  CHECK(page.find("page/n.svg") == std::string::npos);
+  const std::string drawn =
+      gallery_html({"t", "", "", {}}, {{1, "n", "page/n.svg", "n.glb", "n.json", "", 0, {}, ""}});
+  CHECK(drawn.find("<img src=\"./page/n.svg\" alt=\"Drawing of n\"") != std::string::npos);
 }
 
 TEST_CASE("gallery: entries in the given order, the value in place of a plan, nothing from elsewhere") {
@@ -119,7 +133,9 @@ TEST_CASE("gallery: entries in the given order, the value in place of a plan, no
   CHECK(page.find("1 choice<") != std::string::npos);
   CHECK(page.find(".glb") == std::string::npos);
   CHECK(page.find("http") == std::string::npos);
-  CHECK(page.find("src=") == std::string::npos);
+  const auto next = [&](const char* what, std::size_t from) { return page.find(what, from); };
+  CHECK(next("src=\"", 0) == next("src=\"./page/page.js\"", 0));
+  CHECK(next("src=", next("src=", 0) + 1) == std::string::npos);
   CHECK(gallery_html({"t", "", "", {}}, {}).find("No solution.") != std::string::npos);
 }
 

@@ -156,11 +156,12 @@ std::string glb_bytes(const Scene& scene) {
   return bytes;
 }
 
-void write_glb(const Scene& scene, const std::filesystem::path& path) {
+std::string write_glb(const Scene& scene, const std::filesystem::path& path) {
   try {
-    const std::string bytes = glb_bytes(scene);
+    std::string bytes = glb_bytes(scene);
     write_file_atomically(path, bytes,
                           [&](const std::filesystem::path& written) { verify_glb(written, scene); });
+    return bytes;
   } catch (const SceneError& error) {
     const std::string_view reason = error.what();
     if (reason.find(path.string()) != std::string_view::npos) throw;

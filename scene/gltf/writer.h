@@ -12,6 +12,7 @@ namespace solitaire {
 std::string glb_bytes(const Scene& scene);
 
 /// Writes the .glb whole or not at all, after reading it back from disk and checking it with verify_glb.
-void write_glb(const Scene& scene, const std::filesystem::path& path);
+/// Returns its bytes.
+std::string write_glb(const Scene& scene, const std::filesystem::path& path);
 
 }  // namespace solitaire

@@ -87,9 +87,9 @@ class ObjectDrawing {
 
   /// Returns the drawing. What lies `above` is drawn later and would hide a label below it.
   std::string svg(std::span<const Area> above) const {
-    return fmt::format("<g><title>{}\n{}</title><g{}>{}{}</g>{}</g>\n", escape_markup(unique_name_),
-                       escape_markup(object_.thing.address), moved(center_, object_.box.angle), rectangle(),
-                       front_mark(), label(above));
+    return fmt::format("<g data-address=\"{1}\"><title>{0}\n{1}</title><g{2}>{3}{4}</g>{5}</g>\n",
+                       escape_markup(unique_name_), escape_markup(object_.thing.address),
+                       moved(center_, object_.box.angle), rectangle(), front_mark(), label(above));
   }
 
  private:

@@ -19,14 +19,6 @@ bool says(const SceneObject& object, std::string_view word) {
   return has_word(object.thing.asset, word) || has_word(object.thing.name, word);
 }
 
-bool is_like_wall(const SceneObject& object) {
-  const Vec3& size = object.box.size;
-  if (size[2] < kLowestWall) return false;
-  if (is_wall(object) || says(object, "wall")) return true;
-  const double thick = std::min(size[0], size[1]), wide = std::max(size[0], size[1]);
-  return object.thing.asset.empty() && thick <= kThickestWall && wide >= 3 * thick;
-}
-
 /// An interval of how far along a direction something lies, in multiples of the direction.
 struct Reach {
   double from = 0, to = 1;
@@ -134,6 +126,14 @@ class Cutaway {
 };
 
 }  // namespace
+
+bool is_like_wall(const SceneObject& object) {
+  const Vec3& size = object.box.size;
+  if (size[2] < kLowestWall) return false;
+  if (is_wall(object) || says(object, "wall")) return true;
+  const double thick = std::min(size[0], size[1]), wide = std::max(size[0], size[1]);
+  return object.thing.asset.empty() && thick <= kThickestWall && wide >= 3 * thick;
+}
 
 std::vector<std::optional<double>> cut_heights(const Scene& scene, const Vec3& to_camera) {
   return Cutaway(scene, to_camera).heights();

@@ -1,0 +1,49 @@
+// What the stage computes without a canvas: which walls are cut, where one stands.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Cutaway } from '../stage/cutaway.js';
+import { standingPlace } from '../stage/standing_place.js';
+
+function point(x, y, z) {
+  return { x, y, z, setY(to) { this.y = to; return this; }, clone() { return point(this.x, this.y, this.z); } };
+}
+
+function box(x0, y0, z0, x1, y1, z1) {
+  return {
+    min: point(x0, y0, z0), max: point(x1, y1, z1),
+    getCenter: (target) => Object.assign(target, { x: (x0 + x1) / 2, y: (y0 + y1) / 2, z: (z0 + z1) / 2 }),
+  };
+}
+
+// A room of 4 x 4 m seen from above, its front towards +z, with a table in the middle.
+const objects = [
+  { address: 'front', name: 'wall', box: box(0, 0, 3.9, 4, 2.5, 4.1) },
+  { address: 'back', name: 'wall', box: box(0, 0, -0.1, 4, 2.5, 0.1) },
+  { address: 'table', name: 'table', box: box(1.5, 0, 1.5, 2.5, 0.75, 2.5) },
+  { address: 'window', name: 'window', box: box(1, 1, 3.95, 2, 2, 4.05) },
+  { address: 'door', name: 'door', box: box(3, 0, 3.95, 3.8, 2, 4.05) },
+];
+const cutFrom = (x, y, z) => {
+  const length = Math.hypot(x, y, z);
+  const heights = new Cutaway(objects, ['front', 'back']).heights(point(x / length, y / length, z / length));
+  return [...heights.keys()].map(({ address }) => address);
+};
+
+test('cutaway: the wall before the table goes, with its window, but not its door', () => {
+  assert.deepEqual(cutFrom(0, 1, 1), ['front', 'window']);
+  assert.deepEqual(cutFrom(0, 1, -1), ['back']);
+});
+
+test('cutaway: from straight above, and from below, nothing is in the way', () => {
+  assert.deepEqual(cutFrom(0, 1, 0.01), []);
+  assert.deepEqual(cutFrom(0, -1, 1), []);
+});
+
+test('one stands in the open, near the front, and not in a thing', () => {
+  const bounds = box(0, 0, 0, 6, 2.5, 6);
+  const things = [box(0, 0, 5, 3, 1, 6), box(0, 0, 0, 6, 0.05, 6)];  // something at the front left, a floor
+  const { x, z } = standingPlace(things, bounds, 1.6);
+  assert.ok(z > 3 && x > 3);
+  const boxed = standingPlace([box(-1, 0, -1, 7, 2, 7)], bounds, 1.6);
+  assert.ok(Number.isFinite(boxed.x) && Number.isFinite(boxed.z));
+});

@@ -1,0 +1,67 @@
+// What differs between two scenes, or between the choices of two solutions. Knows nothing of how they are shown.
+
+const kSamePlace = 1e-3;   // metres
+const kSameTurn = 0.05;    // degrees
+
+function distance(a, b) {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+function metres(length) {
+  return length >= 1 ? `${length.toFixed(2)} m` : `${Math.round(length * 100)} cm`;
+}
+
+function turnedBy(from, to) {
+  return (((to - from) % 360) + 540) % 360 - 180;
+}
+
+/** Returns in words how one object became the other: "moved 1.50 m", "turned 90°". */
+export function changes(left, right) {
+  const words = [];
+  if (left.shape !== right.shape) words.push('another shape');
+  const moved = distance(left.center, right.center);
+  if (moved > kSamePlace) words.push(`moved ${metres(moved)}`);
+  const turned = turnedBy(left.turn, right.turn);
+  if (Math.abs(turned) > kSameTurn) words.push(`turned ${Math.round(Math.abs(turned))}°`);
+  if (left.shape === right.shape && distance(left.size, right.size) > kSamePlace) words.push('another size');
+  if (left.paint !== right.paint) words.push('another colour');
+  return words;
+}
+
+/** Takes from both lists what has the same key, pair by pair. */
+function paired(lefts, rights, keyOf) {
+  const waiting = new Map(rights.map((right) => [keyOf(right), []]));
+  for (const right of rights) waiting.get(keyOf(right)).push(right);
+  const pairs = [], restLeft = [];
+  for (const left of lefts) {
+    const right = waiting.get(keyOf(left))?.pop();
+    if (right) pairs.push({ left, right });
+    else restLeft.push(left);
+  }
+  const taken = new Set(pairs.map(({ right }) => right));
+  return { pairs, restLeft, restRight: rights.filter((right) => !taken.has(right)) };
+}
+
+/** Compares the objects of two scenes: {kind, left, right, words} where kind is "same", "changed", "left" or "right".
+ * What looks the same at the same place is the same, whatever its address: two chairs that changed places do not
+ * differ. Of the rest, those with the same address are one object that changed. */
+export function compareObjects(lefts, rights) {
+  const alike = paired(lefts, rights, (object) => object.look);
+  const named = paired(alike.restLeft, alike.restRight, (object) => object.address);
+  return [
+    ...named.pairs.map((pair) => ({ kind: 'changed', ...pair, words: changes(pair.left, pair.right) })),
+    ...named.restLeft.map((left) => ({ kind: 'left', left, words: [] })),
+    ...named.restRight.map((right) => ({ kind: 'right', right, words: [] })),
+    ...alike.pairs.map((pair) => ({ kind: 'same', ...pair, words: [] })),
+  ];
+}
+
+/** Returns the choices that differ: {address, left, right}, with undefined where one does not meet the choice. */
+export function compareChoices(lefts, rights) {
+  const right = new Map(rights.map(({ at, value }) => [at, value]));
+  const left = new Map(lefts.map(({ at, value }) => [at, value]));
+  const addresses = new Set([...left.keys(), ...right.keys()]);
+  return [...addresses]
+    .filter((address) => left.get(address) !== right.get(address))
+    .map((address) => ({ address, left: left.get(address), right: right.get(address) }));
+}

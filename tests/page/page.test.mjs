@@ -1,0 +1,359 @@
+// The page of a run in a real browser, from the disk. SOLITAIRE_PROGRAM names the program that writes it.
+import assert from 'node:assert/strict';
+import { readFile, readdir, rm } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { generated, launched, opened, ready, workplace } from './browser.mjs';
+import { areas, kColours, seen, share } from './pixels.mjs';
+
+// A floor of 8 x 8 m with a wall at its front, five red boxes, two blue ones and a green one that a choice moves.
+const kBlocks = `
+param boxes = 5;
+x = range(0, 6);
+place("", at: [0, 0, 0], size: [8, 8, 0.1], color: [0.9, 0.9, 0.9], name: "floor");
+place("", at: [0, 0, 0], size: [8, 0.2, 2.5], color: [0.9, 0.9, 0.9], name: "front wall");
+for i in 0..boxes - 1: place("", at: [1.5 * i + 0.7, 1, 0.1], size: [0.6, 0.6, 0.6], color: [0.9, 0.05, 0.05], name: "red box");
+for i in 0..1: place("", at: [3 * i + 2, 3, 0.1], size: [1, 1, 1], color: [0.05, 0.05, 0.9], name: "blue box");
+place("", at: [x, 6, 0.1], size: [1, 1, 1], color: [0.05, 0.7, 0.05], name: "green box", purpose: "moves");
+minimize(abs(x - 3));
+return x, boxes;
+`;
+
+let browser, folder, blocks;
+
+before(async () => {
+  browser = await launched();
+  folder = await workplace();
+  blocks = await generated(folder.path, 'blocks', kBlocks, '--all', '--set', 'boxes=5');
+});
+
+after(async () => {
+  await browser?.close();
+  await folder?.remove();
+});
+
+/** Opens a page, does something with it, and sees that nothing went wrong in it. */
+async function withPage(address, act, settings) {
+  const { page, troubles, close } = await opened(browser, address, settings);
+  try {
+    await act(page);
+    assert.deepEqual(troubles, []);
+  } finally {
+    await close();
+  }
+}
+
+const shownNames = (page) => page.locator('article:visible h2').allTextContents();
+const canvasOf = (page, at = 0) => page.locator('dialog canvas').nth(at);
+const panelOf = (page) => page.locator('dialog aside');
+const arranged = (page) => page.waitForTimeout(250);
+
+async function openFirst(page) {
+  await page.locator('article h2 a').first().click();
+  await ready(page);
+}
+
+async function numberOf(page, colour, at) {
+  return areas(await seen(page, canvasOf(page, at)), kColours[colour]).length;
+}
+
+async function clickOn(page, colour) {
+  const [area] = areas(await seen(page, canvasOf(page)), kColours[colour]);
+  await canvasOf(page).click({ position: { x: area.x, y: area.y } });
+}
+
+test('solutions are filtered and sorted by value, cost, param, choice, distance', async () => {
+  await withPage(blocks, async (page) => {
+    assert.equal((await shownNames(page)).length, 7);
+    await page.getByLabel('Filter').fill('cost<2');
+    await arranged(page);
+    assert.deepEqual(await shownNames(page), ['blocks-0001', 'blocks-0002', 'blocks-0003']);
+    assert.match(await page.locator('.toolbar [role=status]').textContent(), /3 of 7 solutions/);
+    await page.getByLabel('Filter').fill('value[0] >= 5 boxes = 5 cost');
+    await arranged(page);
+    assert.equal((await shownNames(page)).length, 2);
+    await page.getByLabel('Filter').fill('x=6');  // a choice
+    await arranged(page);
+    assert.match(await page.locator('article:visible .value').textContent(), /^\[6, 5\]/);
+    await page.getByLabel('Filter').fill('height > 3');
+    await arranged(page);
+    assert.match(await page.locator('.toolbar [role=status]').textContent(), /0 of 7 solutions; no solution has “height”/);
+    await page.getByLabel('Filter').fill('');
+    await page.getByLabel('Sort by').selectOption('value[0]');
+    await arranged(page);
+    const values = async () => (await page.locator('article:visible .value').allTextContents()).map((text) => text[1]);
+    assert.deepEqual(await values(), [...'0123456']);
+    await page.getByRole('button', { name: 'Ascending' }).click();
+    await arranged(page);
+    assert.deepEqual(await values(), [...'6543210']);
+    await page.getByRole('button', { name: 'Descending' }).click();
+    await page.getByLabel('Sort by').selectOption('distance');
+    await page.getByLabel('from').selectOption('5');
+    await arranged(page);
+    assert.equal((await shownNames(page))[0], 'blocks-0005');
+    assert.deepEqual(await page.locator('.distance').allTextContents(), ['distance 0.00', ...Array(6).fill('distance 1.00')]);
+  });
+});
+
+test('a scene opens in 3D: every object is seen, and turning and zooming change the view', async () => {
+  await withPage(blocks, async (page) => {
+    await openFirst(page);
+    assert.equal(await numberOf(page, 'red'), 5);  // the wall before them is cut off low
+    assert.equal(await numberOf(page, 'blue'), 2);
+    assert.equal(await numberOf(page, 'green'), 1);
+    const before = await seen(page, canvasOf(page));
+    const largest = (picture) => areas(picture, kColours.green)[0].pixels;
+    await page.keyboard.press('ArrowRight');
+    const turned = await seen(page, canvasOf(page));
+    assert.notDeepEqual(turned.data, before.data);
+    for (let i = 0; i < 3; ++i) await page.keyboard.press('+');
+    assert.ok(largest(await seen(page, canvasOf(page))) > 1.3 * largest(turned));
+    await page.getByRole('button', { name: 'Reset view' }).click();
+    assert.deepEqual((await seen(page, canvasOf(page))).data, before.data);
+    const box = await canvasOf(page).boundingBox();
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 320, box.y + 180, { steps: 4 });
+    await page.mouse.up();
+    assert.notDeepEqual((await seen(page, canvasOf(page))).data, before.data);
+  });
+});
+
+test('a picked object says what it is; the list and the drawings pick, too', async () => {
+  await withPage(blocks, async (page) => {
+    await openFirst(page);
+    await clickOn(page, 'green');
+    const details = panelOf(page).locator('.details');
+    await details.getByRole('heading', { name: 'green box' }).waitFor();
+    const text = await details.textContent();
+    assert.match(text, /sourceblocks\.sol:8:1/);
+    assert.match(text, /addressplace/);
+    assert.match(text, /choicesx = 3/);
+    assert.match(text, /purposemoves/);
+    assert.match(text, /1 m wide, 1 m deep, 1 m high/);
+    assert.match(text, /x 3, y 6, z 0\.1/);
+    await panelOf(page).getByLabel('Objects').selectOption({ label: 'front wall' });
+    await details.getByRole('heading', { name: 'front wall' }).waitFor();
+    await page.getByLabel('View').selectOption('Plan');
+    await page.locator('.drawing [data-address]', { has: page.locator('title', { hasText: 'green box' }) }).click();
+    await details.getByRole('heading', { name: 'green box' }).waitFor();
+    assert.equal(await page.locator('.drawing .selected').count(), 1);
+  });
+});
+
+test('one walks at eye height, and not through things', async () => {
+  await withPage(blocks, async (page) => {
+    await openFirst(page);
+    const whole = await seen(page, canvasOf(page));
+    await page.getByRole('button', { name: 'Walk', exact: true }).click();
+    const start = await seen(page, canvasOf(page));
+    assert.notDeepEqual(start.data, whole.data);
+    await page.keyboard.down('w');
+    await page.waitForTimeout(500);
+    await page.keyboard.up('w');
+    const further = await seen(page, canvasOf(page));
+    assert.notDeepEqual(further.data, start.data);
+    await page.keyboard.down('ArrowLeft');
+    await page.waitForTimeout(300);
+    await page.keyboard.up('ArrowLeft');
+    assert.notDeepEqual((await seen(page, canvasOf(page))).data, further.data);
+    const forward = page.getByRole('button', { name: 'Forward' });
+    await forward.hover();
+    await page.mouse.down();
+    await page.waitForTimeout(300);
+    await page.mouse.up();
+    await page.getByRole('button', { name: 'Walk', exact: true }).click();
+    assert.deepEqual((await seen(page, canvasOf(page))).data, whole.data);
+  });
+});
+
+test('two solutions side by side: what differs keeps its colour, what is the same fades', async () => {
+  await withPage(blocks, async (page) => {
+    await page.getByRole('button', { name: 'Compare blocks-0001' }).click();
+    await page.getByRole('button', { name: 'Compare blocks-0006' }).click();
+    await page.getByRole('link', { name: 'Open side by side' }).click();
+    await ready(page);
+    assert.equal(await canvasOf(page, 1).isVisible(), true);
+    for (const side of [0, 1]) {
+      assert.equal(await numberOf(page, 'red', side), 0);
+      assert.equal(await numberOf(page, 'blue', side), 0);
+      const picture = await seen(page, canvasOf(page, side));
+      assert.equal(areas(picture, (pixel) => kColours.orange(pixel) || kColours.green(pixel)).length, 1);
+    }
+    const items = panelOf(page).locator('.differences li');
+    assert.equal(await items.count(), 1);
+    assert.match(await items.textContent(), /^green box: moved \d\.00 m$/);
+    await items.getByRole('button').click();
+    await panelOf(page).locator('.details').getByRole('heading', { name: 'green box' }).waitFor();
+    assert.match(await panelOf(page).locator('table').textContent(), /x3\d/);
+    const right = await seen(page, canvasOf(page, 1));
+    await canvasOf(page, 0).focus();
+    await page.keyboard.press('ArrowLeft');  // the other one turns with it
+    assert.notDeepEqual((await seen(page, canvasOf(page, 1))).data, right.data);
+  });
+});
+
+test('the keyboard alone does everything', async () => {
+  await withPage(blocks, async (page) => {
+    const focused = () => page.evaluate(() => document.activeElement.textContent);
+    const tabTo = async (isThere) => {
+      for (let i = 0; i < 60; ++i) {
+        await page.keyboard.press('Tab');
+        if (await page.evaluate(isThere)) return;
+      }
+      assert.fail(`no Tab leads to ${isThere}`);
+    };
+    await tabTo(() => document.activeElement.id === 'filter');
+    await page.keyboard.type('cost=0');
+    await arranged(page);
+    await tabTo(() => document.activeElement.textContent === 'blocks-0001');
+    await page.keyboard.press('Enter');
+    await ready(page);
+    assert.equal(await page.evaluate(() => document.activeElement.tagName), 'CANVAS');
+    await tabTo(() => document.activeElement.getAttribute('aria-label') === 'Objects');
+    await page.keyboard.press('ArrowDown');
+    await panelOf(page).locator('.details h3').waitFor();
+    await page.keyboard.press('Escape');
+    await page.waitForURL(/#solution-1$/);
+    assert.equal(await page.locator('dialog[open]').count(), 0);
+    assert.equal(await focused(), 'blocks-0001');
+  });
+});
+
+test('the way back closes, and an address opens', async () => {
+  await withPage(`${blocks}#open-2`, async (page) => {
+    await ready(page);
+    await page.getByRole('button', { name: 'Next solution' }).click();
+    await page.waitForFunction(() => document.querySelector('dialog h2').textContent === 'blocks-0003');
+    await page.goBack();
+    await page.waitForFunction(() => document.querySelector('dialog h2').textContent === 'blocks-0002');
+    await ready(page);
+    await page.getByRole('button', { name: 'Close' }).click();
+    assert.equal(await page.locator('dialog[open]').count(), 0);
+  });
+});
+
+const kMarkup = `
+name = "<img src=x onerror=document.title='bad'>";
+place("", at: [range(0, 1), 0, 0], size: [1, 1, 1], name: name, purpose: "</script><script>document.title='bad'</script>");
+prefer(flip() == true, 3);
+return name, "\\"><b>bold</b>";
+`;
+
+test('names, texts and values that try to be markup are shown as text', async () => {
+  const address = await generated(folder.path, 'markup', kMarkup, '-n', '2');
+  await withPage(address, async (page) => {
+    assert.match(await page.locator('article .value').first().textContent(), /<img src=x onerror/);
+    await openFirst(page);
+    await panelOf(page).getByLabel('Objects').selectOption({ index: 0 });
+    const text = await panelOf(page).textContent();
+    assert.match(text, /<img src=x onerror=document\.title='bad'>/);
+    assert.match(text, /<\/script><script>/);
+    await page.getByLabel('View').selectOption('Plan');
+    assert.equal(await page.locator('.drawing svg').count(), 1);
+    await page.goto(`${address}#compare-1-2`);
+    await ready(page);
+    assert.equal(await page.title(), 'markup: 2 solutions');
+    assert.equal(await page.locator('b, img[src=x], main script').count(), 0);
+  });
+});
+
+test('a program that places nothing shows values and choices', async () => {
+  const address = await generated(folder.path, 'values', 'x = range(1, 3);\ny = flip();\nreturn [x, [y]];', '-n', '3');
+  await withPage(address, async (page) => {
+    await openFirst(page);
+    assert.equal(await canvasOf(page).isVisible(), false);
+    assert.match(await panelOf(page).locator('table').textContent(), /x\d/);
+    await page.goto(`${address}#compare-1-2`);
+    await ready(page);
+    assert.match(await panelOf(page).textContent(), /The scenes look the same/);
+  });
+});
+
+test('what is missing beside the page is said', async () => {
+  const address = await generated(folder.path, 'gone', 'place("", at: [range(1, 2), 0]);', '-n', '2');
+  await rm(join(folder.path, 'gone/page/gone-0001.js'));
+  const { page, close } = await opened(browser, address);
+  await openFirst(page);
+  assert.equal(await page.locator('.message').textContent(), 'page/gone-0001.js is missing beside the page');
+  await page.getByRole('button', { name: 'Next solution' }).click();
+  await page.locator('canvas:visible').waitFor();
+  await close();
+});
+
+const axe = readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+async function findings(page) {
+  await page.evaluate(await axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { preload: false }));
+  return violations.filter(({ impact }) => ['serious', 'critical'].includes(impact))
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`axe finds nothing serious, ${colorScheme}`, async () => {
+    await withPage(blocks, async (page) => {
+      assert.deepEqual(await findings(page), []);
+      await openFirst(page);
+      await panelOf(page).getByLabel('Objects').selectOption({ index: 1 });
+      assert.deepEqual(await findings(page), []);
+      await page.goto(`${blocks}#compare-1-6`);
+      await ready(page);
+      assert.deepEqual(await findings(page), []);
+    }, { colorScheme });
+  });
+}
+
+test('the page follows the colours of the system, and the reader may choose others', async () => {
+  await withPage(blocks, async (page) => {
+    const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const dark = await background();
+    await page.getByLabel('Colours').selectOption('light');
+    const light = await background();
+    assert.notEqual(light, dark);
+    await page.reload();
+    assert.equal(await background(), light);
+  }, { colorScheme: 'dark' });
+});
+
+test('a phone shows everything without scrolling sideways, and touch turns and picks', async () => {
+  await withPage(blocks, async (page) => {
+    const fits = () => page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
+    assert.equal(await fits(), true);
+    await page.locator('article h2 a').first().tap();
+    await ready(page);
+    assert.equal(await fits(), true);
+    for (const control of await page.locator('dialog header button:visible, dialog header select:visible').all()) {
+      const { x, width, height } = await control.boundingBox();
+      assert.ok(x >= 0 && x + width <= 390 && height >= 32);
+    }
+    const [area] = areas(await seen(page, canvasOf(page)), kColours.green);
+    await canvasOf(page).tap({ position: { x: area.x, y: area.y } });
+    await panelOf(page).getByRole('heading', { name: 'green box' }).waitFor();
+  }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+});
+
+test('a thousand solutions: the page is quick, and loads a scene only when it is opened', async () => {
+  const address = await generated(folder.path, 'many', 'x = range(1, 1000);\nplace("", at: [x, 0], size: [1, 1, 1]);\nreturn x;',
+                                  '--all', '--diversity', 'low');
+  const files = await readdir(join(folder.path, 'many/page'));
+  assert.equal(files.filter((file) => /^many-\d+\.js$/.test(file)).length, 1000);
+  const asked = [];
+  await withPage('about:blank', async (page) => {
+    page.on('request', (request) => asked.push(request.url()));
+    await page.goto(address);
+    const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime);
+    assert.ok(paint < 3000, `painted after ${paint} ms`);
+    assert.equal((await shownNames(page)).length, 1000);
+    assert.equal(asked.filter((url) => /many-\d+\.js|stage\.js|choices\.js/.test(url)).length, 0);
+    assert.ok(asked.length < 100, `${asked.length} files were asked for`);
+    const start = await page.evaluate(() => performance.now());
+    await page.getByLabel('Sort by').selectOption('value');
+    await page.waitForFunction(() => document.querySelector('article .value').textContent === '1');
+    const end = await page.evaluate(() => performance.now());
+    assert.ok(end - start < 3000, `sorted in ${end - start} ms`);
+    await openFirst(page);
+    assert.equal(asked.filter((url) => /many-\d+\.js/.test(url)).length, 1);
+  });
+});
