@@ -67,13 +67,13 @@ void Watchdog::watch() {
   while (!stopped()) {
     if (wake_.wait_for(lock, kInterval, done)) return;
   }
-  const auto grace = stop_.reason() == StopReason::kMemory ? kGraceForMemory : kGrace;
+  const auto grace = stop_.reason() == api::StopReason::kMemory ? kGraceForMemory : kGrace;
   if (!wake_.wait_for(lock, grace, done)) end_process();
 }
 
 bool Watchdog::stopped() {
   if (options_.memory && resident_memory() > *options_.memory * kMegabyte)
-    stop_source().request(StopReason::kMemory);
+    stop_source().request(api::StopReason::kMemory);
   return stop_.stopped();
 }
 
