@@ -114,7 +114,7 @@ TEST_CASE("scene: nodes share an asset's mesh, and colours share its geometry") 
   for (int i = 0; i < 4; ++i) {
     placements.push_back(placed("chair", {i * 1.0, 2, 0}));
     placements.back().color = {{i < 2 ? 1.0 : 0.5, 0, 0}};
-    placements.push_back(placed("sink", {i * 1.0, 4, 0}));
+    placements.push_back(placed("no such model", {i * 1.0, 4, 0}));
   }
   const json file = json_of(glb_bytes(build_scene(placements, 1, "test", assets)));
   CHECK(file["meshes"].size() == 4);  // chair, two colours of it, one box
