@@ -23,6 +23,7 @@ std::size_t Graph::VariableHash::operator()(const ChoiceVariable& variable) cons
   for (const std::int64_t each : {domain.lo, domain.hi, domain.step})
     hash = mix(hash, static_cast<std::uint64_t>(each));
   for (const double each : {domain.a, domain.b}) hash = mix(hash, std::hash<double>{}(each));
+  for (const double each : domain.weights) hash = mix(hash, std::hash<double>{}(each));
   return hash;
 }
 
@@ -79,7 +80,7 @@ NodeId Graph::choice(const ChoiceVariable& variable) {
   const auto [it, added] = variable_ids_.try_emplace(variable, static_cast<std::uint32_t>(variables_.size()));
   if (added) {
     variables_.push_back(variable);
-    variable_nodes_.push_back(domain.is_finite()
+    variable_nodes_.push_back(domain.type() != Type::kFloat
                                   ? intern({Op::kChoice, false, {}, domain.interval(), it->second})
                                   : intern({Op::kChoiceFloat, true, {}, {}, it->second}));
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tracegraph/special_functions.h"
+
 namespace solitaire {
 namespace {
 
@@ -130,6 +132,7 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kExp, "exp", "", 1, kF, kF, [](S a) -> Folded { return Scalar::of(std::exp(a[0].f)); }, nullptr, kOrdered, [](S, double r, P d) { d[0] = r; }},
     {Op::kLog, "log", "", 1, kF, kF, [](S a) { return logarithm(a[0].f); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = 1 / a[0].f; }},
     {Op::kPow, "pow", "", 2, kF, kF, [](S a) { return unless_undefined(std::pow(a[0].f, a[1].f)); }, nullptr, kOrdered, power_derivative},
+    {Op::kLgamma, "lgamma", "", 1, kF, kF, [](S a) { return finite(log_gamma(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = digamma(a[0].f); }},
     {Op::kSin, "sin", "", 1, kF, kF, [](S a) -> Folded { return Scalar::of(std::sin(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = std::cos(a[0].f); }},
     {Op::kCos, "cos", "", 1, kF, kF, [](S a) -> Folded { return Scalar::of(std::cos(a[0].f)); }, nullptr, kOrdered, [](S a, double, P d) { d[0] = -std::sin(a[0].f); }},
     {Op::kAtan2, "atan2", "", 2, kF, kF, [](S a) -> Folded { return Scalar::of(std::atan2(a[0].f, a[1].f)); }, nullptr, kOrdered, atan2_derivative},

@@ -18,7 +18,7 @@ enum class Op : std::uint8_t {
   kAdd, kSub, kMul, kDiv, kMod, kNeg, kMin, kMax, kAbs, kIteInt,
   kEqInt, kLtInt, kLeInt,
   kToFloat, kFloor, kAddFloat, kSubFloat, kMulFloat, kDivFloat, kNegFloat, kMinFloat, kMaxFloat,
-  kSqrt, kExp, kLog, kPow, kSin, kCos, kAtan2, kIteFloat,
+  kSqrt, kExp, kLog, kPow, kLgamma, kSin, kCos, kAtan2, kIteFloat,
   kEqFloat, kLtFloat, kLeFloat,
   kCount_
 };

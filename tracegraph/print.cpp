@@ -74,6 +74,18 @@ std::string domain_text(const Distribution& domain) {
       return fmt::format("uniform({}, {})", domain.a, domain.b);
     case Distribution::Family::kNormal:
       return fmt::format("normal({}, {})", domain.a, domain.b);
+    case Distribution::Family::kNormalSharp:
+      return fmt::format("normal({}, precision: {})", domain.a, domain.b);
+    case Distribution::Family::kExponential:
+      return fmt::format("exponential({})", domain.a);
+    case Distribution::Family::kGamma:
+      return fmt::format("gamma({}, {})", domain.a, domain.b);
+    case Distribution::Family::kBeta:
+      return fmt::format("beta({}, {})", domain.a, domain.b);
+    case Distribution::Family::kPoisson:
+      return fmt::format("poisson({})", domain.a);
+    case Distribution::Family::kGeometric:
+      return fmt::format("geometric({})", domain.a);
     case Distribution::Family::kRange:
     case Distribution::Family::kIndex:
       break;

@@ -16,6 +16,15 @@ struct TraceChoice {
   AddressId address;
   Distribution domain;
   Span span;
+  /// Where an execution is traced, the parameters of the distribution as of log_density() (density.h).
+  std::vector<NodeId> parameters = {};
+};
+
+/// A factor by which an execution is weighted, as its logarithm.
+struct TraceFactor {
+  NodeId guard;
+  NodeId log_weight;  // a float
+  Span span;
 };
 
 /// Why an execution is ruled out.
@@ -96,6 +105,7 @@ struct Trace {
   std::vector<TracePlaced> placed;
   std::vector<TraceBlocker> blockers;
   std::vector<TraceProgramError> program_errors;
+  std::vector<TraceFactor> factors;
   std::vector<NodeId> returned;  // on which the program's value depends
 
   bool has_costs() const;

@@ -16,7 +16,7 @@ Distribution WideChoices::widened(AddressId address, const Distribution& domain)
     const std::int64_t distance = std::max(domain.lo - pin->value, pin->value - domain.hi);
     if (distance <= tuning::kMostReach) by = std::max(by, distance);
   }
-  return {domain.lo - by, domain.hi + by, 1, domain.family};
+  return Distribution::range(domain.lo - by, domain.hi + by);
 }
 
 }  // namespace solitaire

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "solitaire/builtins/distributions.h"
 #include "solitaire/builtins/placing.h"
 #include "solitaire/run/evaluation.h"
 
@@ -42,66 +43,9 @@ Value range(Evaluator& evaluator, Call call) {
                               describe(hi)));
       }
       const Value step = given(call.arguments[2]) ? checked_step(evaluator, call) : std::int64_t{1};
-      return evaluator.decide(call.site, lo, hi, step, Distribution::range(0, 0));
+      return evaluator.decide(call.site, lo, hi, step, {Distribution::range(0, 0), {}});
     });
   });
-}
-
-/// A parameter of a distribution: a number that does not depend on open choices.
-double parameter(Evaluator& evaluator, Call call, std::size_t number, const char* of) {
-  const Span span = argument_span(call, number);
-  const Value& value = call.arguments[number];
-  if (!value.is_number() && value.as_union() == nullptr)
-    evaluator.program_error(span, fmt::format("'{}' needs numbers, not {}", of, describe(value)));
-  if (!is_known(value)) {
-    evaluator.unsupported(span, fmt::format("this parameter of '{}' depends on choices", of),
-                          "give the distribution constant parameters");
-  }
-  evaluator.fixed(value, span);
-  const auto* i = value.get<std::int64_t>();
-  const double known = i != nullptr ? static_cast<double>(*i) : *value.get<double>();
-  if (!std::isfinite(known)) evaluator.program_error(span, fmt::format("'{}' needs finite numbers", of));
-  return known;
-}
-
-Value flip(Evaluator& evaluator, Call call) {
-  const double probability = given(call.arguments[0]) ? parameter(evaluator, call, 0, "flip") : 0.5;
-  if (probability < 0 || probability > 1) {
-    evaluator.program_error(
-        argument_span(call, 0),
-        fmt::format("the probability of 'flip' lies between 0 and 1, not at {}", probability));
-  }
-  const Value side = evaluator.decide(call.site, std::int64_t{0}, std::int64_t{1}, std::int64_t{1},
-                                      Distribution::flip(probability));
-  return evaluator.equal(side, std::int64_t{1});
-}
-
-Value uniform(Evaluator& evaluator, Call call) {
-  const double from = parameter(evaluator, call, 0, "uniform");
-  const double to = parameter(evaluator, call, 1, "uniform");
-  if (from >= to)
-    evaluator.program_error(call.site.span, "'uniform' needs a first number that is below the second");
-  return evaluator.draw(call.site, Distribution::uniform(from, to), "uniform");
-}
-
-Value normal(Evaluator& evaluator, Call call) {
-  const double mean = parameter(evaluator, call, 0, "normal");
-  const double deviation = parameter(evaluator, call, 1, "normal");
-  if (deviation <= 0)
-    evaluator.program_error(argument_span(call, 1),
-                            "the standard deviation of 'normal' is a positive number");
-  return evaluator.draw(call.site, Distribution::normal(mean, deviation), "normal");
-}
-
-Value choose(Evaluator& evaluator, Call call) {
-  const Value& list = call.arguments[0];
-  // One choice for all lengths that the list can have, so that it is the same choice whatever they are.
-  const Value last = evaluator.with_items(list, "choose", argument_span(call, 0), [](Items items) {
-    return Value(static_cast<std::int64_t>(items.size()) - 1);
-  });
-  const Value index =
-      evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, Distribution::index(1));
-  return evaluator.element(list, index, call.site.span);
 }
 
 Value assert_(Evaluator& evaluator, Call call) {
@@ -188,6 +132,10 @@ Value float_function(Evaluator& evaluator, Call call, Op op) {
       evaluator.program_error_if(evaluator.compare(BinaryOp::kLess, x, std::int64_t{0}, span), span,
                                  "'sqrt' of a negative number has no value");
     }
+    if (op == Op::kLog && x.is<Symbol>()) {
+      evaluator.program_error_if(evaluator.compare(BinaryOp::kLessEqual, x, std::int64_t{0}, span), span,
+                                 "'log' has a value for positive numbers only");
+    }
     return evaluator.unary(op, evaluator.to_float(x, span), span);
   });
 }
@@ -195,6 +143,26 @@ Value float_function(Evaluator& evaluator, Call call, Op op) {
 Value square_root(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kSqrt); }
 Value sine(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kSin); }
 Value cosine(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kCos); }
+
+Value exponential_function(Evaluator& evaluator, Call call) {
+  return float_function(evaluator, call, Op::kExp);
+}
+Value logarithm(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kLog); }
+Value log_gamma(Evaluator& evaluator, Call call) { return float_function(evaluator, call, Op::kLgamma); }
+
+Value power(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  return evaluator.each_shape(call.arguments[0], [&](const Value& base) {
+    return evaluator.each_shape(call.arguments[1], [&](const Value& exponent) {
+      if (!base.is_number() || !exponent.is_number()) {
+        evaluator.program_error(
+            span, fmt::format("'pow' needs numbers, here are {} and {}", describe(base), describe(exponent)));
+      }
+      return evaluator.binary(Op::kPow, evaluator.to_float(base, span), evaluator.to_float(exponent, span),
+                              span);
+    });
+  });
+}
 
 Value floor_of(Evaluator& evaluator, Call call) {
   return evaluator.each_shape(call.arguments[0], [&](const Value& x) {
@@ -431,12 +399,8 @@ std::vector<Builtin> make_table() {
   constexpr bool kVariadic = true;
   constexpr bool kExtras = true;
   constexpr bool kChoice = true;
-  return {
+  std::vector<Builtin> table = {
       {"range", {"lo", "hi", "step"}, 2, false, false, kChoice, range},
-      {"flip", {"probability"}, 0, false, false, kChoice, flip},
-      {"uniform", {"lo", "hi"}, 2, false, false, kChoice, uniform},
-      {"normal", {"mean", "sd"}, 2, false, false, kChoice, normal},
-      {"choose", {"list"}, 1, false, false, kChoice, choose},
       {"assert", {"condition", "message"}, 1, false, false, false, assert_},
       {"prefer", {"condition", "weight"}, 1, false, false, false, prefer},
       {"minimize", {"x"}, 1, false, false, false, minimize},
@@ -449,6 +413,10 @@ std::vector<Builtin> make_table() {
       {"sqrt", {"x"}, 1, false, false, false, square_root},
       {"sin", {"x"}, 1, false, false, false, sine},
       {"cos", {"x"}, 1, false, false, false, cosine},
+      {"exp", {"x"}, 1, false, false, false, exponential_function},
+      {"log", {"x"}, 1, false, false, false, logarithm},
+      {"pow", {"base", "exponent"}, 2, false, false, false, power},
+      {"lgamma", {"x"}, 1, false, false, false, log_gamma},
       {"cond", {"condition", "then", "otherwise"}, 3, false, false, false, cond},
       {"all", {"conditions"}, 1, kVariadic, false, false, all},
       {"any", {"conditions"}, 1, kVariadic, false, false, any},
@@ -468,6 +436,8 @@ std::vector<Builtin> make_table() {
       {"place", {"asset", "at", "size", "turn", "angle", "color", "name"}, 0, false, kExtras, false, place},
       {"unit", {"metres"}, 1, false, false, false, unit},
   };
+  for (Builtin& distribution : distribution_builtins()) table.push_back(std::move(distribution));
+  return table;
 }
 
 }  // namespace

@@ -65,11 +65,6 @@ std::optional<Span> Lookup::definition(const Scope& scope, const Binding& bindin
 }
 
 void Lookup::report_unknown(const Scope& scope, const NameExpr& node, Diagnostics& diagnostics) const {
-  if (is_one_of(node.name, {"factor", "observe"})) {
-    return diagnostics.add("unknown-name", node.span,
-                           fmt::format("'{}' needs a sampling engine, and there is none yet", node.name),
-                           "choose among ints with range(lo, hi)");
-  }
   if (may_be_unread(node.name) || diagnostics.is_full()) return;
   std::string help = help_for_foreign_name(node.name);
   if (!help.empty()) {

@@ -18,6 +18,9 @@ class Choices {
   /// Returns the domain of a choice that is left open: its own, or a wider one of the same family, with the
   /// same step or 1. If it is wider, the ends and the step become constraints of their own.
   virtual Distribution widened(AddressId, const Distribution& domain) { return domain; }
+  /// Returns true if executions are asked for by how probable they are. Else it is an error of the program to
+  /// weight them, since nobody would look at it.
+  virtual bool weighs() const { return false; }
 };
 
 /// Leaves every choice open.

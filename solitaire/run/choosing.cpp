@@ -1,7 +1,10 @@
 // What an execution decides and leaves behind under addresses: choices, wishes and placed things.
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "solitaire/run/evaluation.h"
+#include "tracegraph/density.h"
 
 namespace solitaire {
 namespace {
@@ -13,23 +16,23 @@ std::logic_error no_answer(const std::string& address) {
 }  // namespace
 
 Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
-                        const Distribution& kind) {
+                        const Prior& prior) {
   const AddressId address = address_of(site.site);
   const auto* first = lo.plain<std::int64_t>();
   const auto* last = hi.plain<std::int64_t>();
   const auto* by = step.plain<std::int64_t>();
   if (forks_ || first == nullptr || last == nullptr || by == nullptr)
-    return decide_open(site, address, lo, hi, step, kind);
+    return decide_open(site, address, lo, hi, step, prior);
   // An execution, in which nearly every choice is answered by a value of its range.
   if (*first > *last) reject(ConstraintKind::kNotEmpty, site.span, nullptr, address);
-  Distribution domain = kind;
+  Distribution domain = prior.distribution;
   domain.lo = *first;
   domain.hi = *last - (*last - *first) % *by;
   domain.step = *by;
   const std::int64_t answer = answered(address, domain).as_int();
   Value variable = answer;
   if (graph_ != nullptr) variable = variable.with_node(*graph_, graph_->choice({address, domain}));
-  effects_->choice({kTrue, {}, address, domain, site.span}, variable);
+  effects_->choice({kTrue, {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step})}, variable);
   if (domain.contains(answer)) return variable;
   require_between(variable, lo, hi, site.span, address);
   const Value rest =
@@ -44,11 +47,14 @@ TypedScalar Evaluator::answered(AddressId address, const Distribution& domain) {
   return *answer;
 }
 
-Value Evaluator::draw(const CallExpr& site, const Distribution& distribution, const char* name) {
-  const AddressId address = address_of(site.site);
+Value Evaluator::draw(const CallExpr& site, const Prior& prior, const char* name,
+                      std::optional<std::uint32_t> part) {
+  AddressId address = address_of(site.site);
+  if (part) address = addresses_.turn(address, *part);
+  const Distribution& distribution = prior.distribution;
   Value variable;
   if (const auto answer = choices_->answer(address, distribution)) {
-    variable = answer->as_float();
+    variable = distribution.type() == Type::kFloat ? Value(answer->as_float()) : Value(answer->as_int());
     if (graph_ != nullptr && !forks_)
       variable = variable.with_node(*graph_, graph_->choice({address, distribution}));
   } else if (forks_ && branches_->takes_floats()) {
@@ -56,10 +62,55 @@ Value Evaluator::draw(const CallExpr& site, const Distribution& distribution, co
   } else {
     unsupported(site.span,
                 fmt::format("'{}' chooses among infinitely many values, of which no solver finds one", name),
-                "choose among ints and divide: range(0, 100) / 100.0");
+                "'solitaire sample' draws them; for a solver, choose among ints: range(0, 100) / 100.0");
   }
-  effects_->choice({path_.guard(), {}, address, distribution, site.span}, variable);
+  effects_->choice({path_.guard(), {}, address, distribution, site.span, parameter_nodes(prior, {})},
+                   variable);
   return variable;
+}
+
+/// The parameters of a choice's distribution, where they are kept: in traced executions.
+std::vector<NodeId> Evaluator::parameter_nodes(const Prior& prior, std::initializer_list<Value> ends) {
+  if (graph_ == nullptr || forks_) return {};
+  if (prior.parameters.empty() && ends.size() > 0) {
+    std::vector<NodeId> nodes;
+    for (const Value& end : ends) nodes.push_back(node_of(*graph_, end));
+    return nodes;
+  }
+  return nodes_of_numbers(prior.parameters);
+}
+
+std::vector<NodeId> Evaluator::nodes_of_numbers(std::span<const Value> numbers) {
+  std::vector<NodeId> nodes;
+  for (const Value& number : numbers) nodes.push_back(node_of(*graph_, to_float(number, {})));
+  return nodes;
+}
+
+Value Evaluator::log_density(const Prior& prior, const Value& x, Span span) {
+  const bool any_traced = x.traced() || std::any_of(prior.parameters.begin(), prior.parameters.end(),
+                                                    [](const Value& each) { return each.traced(); });
+  const Type type = prior.distribution.type();
+  const Value value = type == Type::kFloat ? to_float(x, span) : x;
+  TypedScalar known = TypedScalar::of(0.0);
+  if (const double* d = value.get<double>()) known = TypedScalar::of(*d);
+  if (const std::int64_t* i = value.get<std::int64_t>()) known = TypedScalar::of(*i);
+  if (const bool* b = value.get<bool>()) known = TypedScalar::of(*b);
+  const Value density = prior.distribution.log_density(known);
+  if (!any_traced) return density;
+  const std::vector<NodeId> parameters = nodes_of_numbers(prior.parameters);
+  const NodeId node = node_of(*graph_, value);
+  const NodeId possible = in_support(*graph_, prior.distribution, parameters, node);
+  const NodeId log = solitaire::log_density(*graph_, prior.distribution, parameters, node);
+  return density.with_node(*graph_, graph_->phi(possible, log, graph_->constant(-HUGE_VAL)));
+}
+
+void Evaluator::factor(const CallExpr& site, const Value& log_weight, const char* name) {
+  if (!weighs()) {
+    unsupported(site.span,
+                fmt::format("'{}' says how probable executions are, at which no solver looks", name),
+                "'solitaire sample' draws executions by it; what must hold for a solver is an assert");
+  }
+  effects_->factor(site.span, to_float(log_weight, site.span));
 }
 
 void Evaluator::require_between(const Value& variable, const Value& lo, const Value& hi, Span span,
@@ -72,9 +123,10 @@ void Evaluator::require_between(const Value& variable, const Value& lo, const Va
 /// depends on choices, so does which values there are: then the domain is all ints between the ends, and
 /// those that the steps miss are ruled out.
 Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Value& lo, const Value& hi,
-                             const Value& step, const Distribution& kind) {
+                             const Value& step, const Prior& prior) {
   const auto* known_step = lo.is<std::int64_t>() ? step.get<std::int64_t>() : nullptr;
-  Distribution domain = kind;
+  Distribution domain = prior.distribution;
+  if (forks_) domain.weights.clear();  // which do not say what is possible
   domain.step = known_step != nullptr ? *known_step : 1;
   const bool fixed = lo.is<std::int64_t>() && hi.is<std::int64_t>();
   if (fixed) {
@@ -102,9 +154,11 @@ Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Valu
     variable = value_of(*graph_, graph_->choice({address, possible}));
   }
   // Nothing but an element of a list can be chosen from it, also where executions go on past what they break.
-  const bool of_list = limits_.keep_going && kind.family == Distribution::Family::kIndex && !answer && !fixed;
+  const bool of_list =
+      limits_.keep_going && domain.family == Distribution::Family::kIndex && !answer && !fixed;
   if (of_list) variable = int_operation(Op::kMin, variable, hi, site.span);
-  effects_->choice({path_.guard(), {}, address, domain, site.span}, variable);
+  effects_->choice({path_.guard(), {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step})},
+                   variable);
   const bool known = fixed && known_step != nullptr;
   if (!of_list && (!known || answer || possible != domain))
     require_between(variable, lo, hi, site.span, address);

@@ -75,6 +75,7 @@ class Constraints::Apart : public Effects {
   bool wish(AddressId address, Span span, const Value& cost) override {
     return outer_.wish(address, span, cost);
   }
+  void factor(Span span, const Value& log_weight) override { outer_.factor(span, log_weight); }
   void placement(Placement placement, const BuiltinCall& call) override {
     outer_.placement(std::move(placement), call);
   }

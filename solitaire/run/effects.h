@@ -30,6 +30,8 @@ class Effects {
   virtual void constraint(const Constraint& constraint, const Value& condition) = 0;
   /// A wish that costs so much, an int. Returns false if the costs grew too large.
   virtual bool wish(AddressId address, Span span, const Value& cost) = 0;
+  /// The execution is weighted by a factor, whose natural logarithm this is: a float.
+  virtual void factor(Span span, const Value& log_weight) = 0;
   /// A call of place(). `placement` is of no use where arguments depend on choices that are left open.
   virtual void placement(Placement placement, const BuiltinCall& call) = 0;
   virtual void unit(double metres) = 0;

@@ -24,6 +24,7 @@ class Executor::Run {
     execution_.broken.clear();
     execution_.wishes.clear();
     execution_.cost = 0;
+    execution_.log_weight = 0;
     execution_.choices.clear();
     execution_.placements.clear();
     execution_.unit = 1;

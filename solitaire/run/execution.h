@@ -73,6 +73,7 @@ struct Execution {
   std::vector<Rejection> broken;       // asserts past which it went on; see Limits::keep_going
   std::vector<WishCost> wishes;        // in the order in which they were met
   std::int64_t cost = 0;               // the sum of theirs
+  double log_weight = 0;               // the sum of all factors, natural logarithms
   Value value;                         // what the program returned
   std::vector<MetChoice> choices;      // in the order in which they were met
   std::vector<Placement> placements;

@@ -30,6 +30,10 @@ class Operators : public Constraints {
   Value make_list(std::vector<Value> items, Span span);
   /// An operation on numbers of its operand type.
   Value unary(Op op, const Value& value, Span span) { return operate(op, {&value, 1}, span); }
+  Value binary(Op op, const Value& a, const Value& b, Span span) {
+    const Value operands[] = {a, b};
+    return operate(op, operands, span);
+  }
 
  protected:
   using Constraints::Constraints;
@@ -53,10 +57,6 @@ class Operators : public Constraints {
   Value arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, Span span);
   Value int_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
   Value float_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
-  Value binary(Op op, const Value& a, const Value& b, Span span) {
-    const Value operands[] = {a, b};
-    return operate(op, operands, span);
-  }
   Value operate(Op op, std::span<const Value> operands, Span span);
   Value fold(Op op, std::span<const Value> operands, Span span);
   NodeId node_of_operation(Op op, std::span<const Value> operands, Span span);

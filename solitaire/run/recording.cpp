@@ -21,8 +21,9 @@ Term cost_term(AddressId address, Span span, NodeId guard, NodeId cost) {
 // ---- an execution
 
 void ExecutionEffects::choice(const TraceChoice& choice, const Value& value) {
-  const TypedScalar answer = choice.domain.is_finite() ? choice.domain.typed(*value.get<std::int64_t>())
-                                                       : TypedScalar::of(*value.get<double>());
+  const TypedScalar answer = choice.domain.type() == Type::kFloat
+                                 ? TypedScalar::of(*value.get<double>())
+                                 : choice.domain.typed(*value.get<std::int64_t>());
   execution_.choices.push_back({choice.address, choice.domain, answer});
 }
 
@@ -41,6 +42,10 @@ bool ExecutionEffects::wish(AddressId address, Span span, const Value& cost) {
   execution_.wishes.push_back({*cost.get<std::int64_t>(), span, "", address});
   execution_.cost += execution_.wishes.back().cost;
   return is_exact(execution_.cost);
+}
+
+void ExecutionEffects::factor(Span, const Value& log_weight) {
+  execution_.log_weight += *log_weight.get<double>();
 }
 
 void ExecutionEffects::placement(Placement placement, const BuiltinCall&) {
@@ -72,6 +77,11 @@ void TracedEffects::constraint(const Constraint& constraint, const Value& condit
 bool TracedEffects::wish(AddressId address, Span span, const Value& cost) {
   traced_.trace.add(cost_term(address, span, kTrue, node_of(graph_, cost)));
   return ExecutionEffects::wish(address, span, cost);
+}
+
+void TracedEffects::factor(Span span, const Value& log_weight) {
+  traced_.trace.factors.push_back({kTrue, node_of(graph_, log_weight), span});
+  ExecutionEffects::factor(span, log_weight);
 }
 
 void TracedEffects::placement(Placement placement, const BuiltinCall& call) {

@@ -13,6 +13,7 @@ class ExecutionEffects : public Effects {
   void choice(const TraceChoice& choice, const Value& value) override;
   void constraint(const Constraint& constraint, const Value& condition) override;
   bool wish(AddressId address, Span span, const Value& cost) override;
+  void factor(Span span, const Value& log_weight) override;
   void placement(Placement placement, const BuiltinCall& call) override;
   void unit(double metres) override { execution_.unit = metres; }
   void print(std::span<const Value> arguments) override;
@@ -34,6 +35,7 @@ class TracedEffects : public ExecutionEffects {
   void choice(const TraceChoice& choice, const Value& value) override;
   void constraint(const Constraint& constraint, const Value& condition) override;
   bool wish(AddressId address, Span span, const Value& cost) override;
+  void factor(Span span, const Value& log_weight) override;
   void placement(Placement placement, const BuiltinCall& call) override;
   void followed(const Value& condition, Span span) override;
 
@@ -51,6 +53,7 @@ class SymbolicEffects : public Effects {
   void choice(const TraceChoice& choice, const Value& value) override;
   void constraint(const Constraint& constraint, const Value& condition) override;
   bool wish(AddressId address, Span span, const Value& cost) override;
+  void factor(Span, const Value&) override {}  // which such a pass refuses before it comes to this
   void placement(Placement placement, const BuiltinCall& call) override;
   void unit(double metres) override { pass_.unit = metres; }
   void print(std::span<const Value>) override {}
