@@ -59,6 +59,12 @@ void add_counting_options(CLI::App& command, Options& options) {
   command.add_flag("--json", options.json, "as one JSON object");
 }
 
+void add_sampling_options(CLI::App& command, Options& options) {
+  add_program_options(command, options);
+  add_sample_options(command, options);
+  command.add_flag("--json", options.json, "as one JSON object");
+}
+
 void add_trace_options(CLI::App& command, Options& options) {
   add_program_options(command, options);
   command.add_option("--format", options.format, "text (default), dot for Graphviz, or smt2 for solvers")
@@ -83,6 +89,8 @@ constexpr Subcommand kSubcommands[] = {
     {"explain", "why a program has no solution, or what in it rules nothing out and never occurs",
      explain_command, add_explain_options},
     {"count", "say how many solutions there are", count_command, add_counting_options},
+    {"sample", "draw executions by how probable they are, and sum up what the program returns",
+     sample_command, add_sampling_options},
     {"trace", "print the trace graph of a program", trace_command, add_trace_options},
     {"tiles", "make maps of tiles that look like small exemplars", tiles_command, add_tiles_options},
 };

@@ -12,6 +12,7 @@ ExitStatus solve_command(const Options& options, Watchdog& watchdog);
 ExitStatus check_command(const Options& options, Watchdog& watchdog);
 ExitStatus explain_command(const Options& options, Watchdog& watchdog);
 ExitStatus count_command(const Options& options, Watchdog& watchdog);
+ExitStatus sample_command(const Options& options, Watchdog& watchdog);
 ExitStatus trace_command(const Options& options, Watchdog& watchdog);
 ExitStatus tiles_command(const Options& options, Watchdog& watchdog);
 

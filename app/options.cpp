@@ -204,6 +204,35 @@ void add_picture_options(CLI::App& command, Options& options) {
       ->check(CLI::Validator(check_picture_size, "WIDTHxHEIGHT"));
 }
 
+void add_sample_options(CLI::App& command, Options& options) {
+  SampleOptions& sampling = options.sampling;
+  const auto number = [&](const std::string& name, auto& value, const std::string& help) {
+    command.add_option(name, value, help)->check(CLI::Validator(check_count, "N"));
+  };
+  number("-n", sampling.draws, "how many draws are kept, over all chains (default 1000)");
+  number("--chains", sampling.chains, "how many independent chains draw (default 4)");
+  command.add_option("--warmup", sampling.warmup, "draws of each chain that are thrown away at its start")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  number("--thin", sampling.thin, "sweeps over all choices from one draw to the next (default 1)");
+  command
+      .add_option("--engine", sampling.engine, "how to draw: lightweight (each step runs the program again)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SampleOptions::Engine>{
+                                              {"lightweight", SampleOptions::Engine::kLightweight}})
+                      .description("lightweight"));
+  command.add_option("--draws", options.draws_file, "write the draws as a table, a row each")
+      ->type_name("FILE.csv");
+  sampling.jobs = std::max(1U, std::thread::hardware_concurrency());
+  command
+      .add_option(
+          "--jobs", sampling.jobs,
+          fmt::format("how many chains work side by side; the draws are the same for any number (default "
+                      "{}, one for each processor)",
+                      sampling.jobs))
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+}
+
 void add_count_options(CLI::App& command, Options& options) {
   CountOptions& counting = options.counting;
   auto* exact = command.add_flag_callback(

@@ -47,6 +47,8 @@ struct Options {
   bool choices = false;    // explain every choice
   bool thorough = false;
   CountOptions counting;
+  SampleOptions sampling;
+  std::optional<std::filesystem::path> draws_file;
   std::shared_ptr<TilesOptions> tiles;  // of the subcommand tiles
 };
 
@@ -60,5 +62,7 @@ void add_search_options(CLI::App& command, Options& options);
 void add_picture_options(CLI::App& command, Options& options);
 /// Adds those of the subcommand that counts.
 void add_count_options(CLI::App& command, Options& options);
+/// Adds those of the subcommand that draws samples.
+void add_sample_options(CLI::App& command, Options& options);
 
 }  // namespace solitaire::app

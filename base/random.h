@@ -16,7 +16,8 @@ enum class Purpose : std::uint64_t {
   kPicture = 7,
   kTiles = 8,
   kNearby = 9,
-  kSigns = 10
+  kSigns = 10,
+  kChain = 11
 };
 
 /// A counter-based stream keyed by (seed, purpose, index): its numbers depend on nothing else, on any

@@ -82,6 +82,16 @@ constexpr std::size_t kModelsInTrialCell = 10;
 /// Draws in vain that are no reason yet to list all that is left, however little that is. Judgement.
 constexpr double kFewDraws = 1000;
 
+// Sampling by Markov chains (engines/sample/).
+
+/// Executions that are drawn to find one to start from. Judgement: a program of which fewer are possible is
+/// better said in another way.
+constexpr std::uint64_t kMostStarts = 10'000;
+/// Above this split R-hat chains do not agree, and below this effective size quantiles are not to be trusted
+/// (Vehtari and others 2021, section 4).
+constexpr double kMostRHat = 1.01;
+constexpr double kLeastEffective = 400;
+
 // The published way (engines/thesis/).
 
 /// The dissertation's "all values represented as 16-bit integers" (section 4.2.1).

@@ -3,6 +3,7 @@
 //     ```sol                 has to have a solution, and to be what its comments expect
 //     ```sol file=kitchen.sol    the same; later programs of the page can import it
 //     ```sol norun WHY           is shown only
+//     ```sol samples         is for tests/sample/docs_test.cpp
 //
 // where these comments are expectations, at the end of a line or on a line of their own:
 //
@@ -67,6 +68,7 @@ struct PageProgram {
 
   std::string place() const { return fmt::format("{}:{}", page, line); }
   bool shown_only() const { return fence.rfind("norun", 0) == 0; }
+  bool for_sampling() const { return fence.rfind("samples", 0) == 0; }
   bool expects(const std::string& kind) const { return expectations.contains(kind); }
   const std::vector<SnippetExpectation>& of(const std::string& kind) const {
     static const std::vector<SnippetExpectation> kNone;
@@ -270,6 +272,7 @@ void check_page(const fs::path& page) {
   const PageFolder folder;
   for (const PageProgram& shown : programs_of(page)) {
     INFO(shown.place());
+    if (shown.for_sampling()) continue;
     if (shown.shown_only()) {
       CHECK_MESSAGE(shown.fence.size() > std::string("norun ").size(), "norun needs a reason");
       continue;

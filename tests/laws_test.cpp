@@ -188,7 +188,7 @@ bool means(Op op, const Scalar* x, Result result) {
       return means_power(f, g, result);
     case Op::kLgamma:  // the recurrence Gamma(x + 1) = x Gamma(x), and a pole where Gamma has one
       if (!result) return (f <= 0 && f == std::floor(f)) || std::abs(f) > 1e300;
-      return f < 1e-3 || f > 1e9 || near(std::exp(std::lgamma(f + 1) - result->f), f);
+      return f < 1e-3 || f > 100 || near(std::exp(std::lgamma(f + 1) - result->f), f);
     case Op::kAtan2:
       return result && means_angle(f, g, result->f);
     case Op::kSqrt:

@@ -1,6 +1,7 @@
 #include "tracegraph/density.h"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "tracegraph/simplex.h"
@@ -16,10 +17,10 @@ class Formula {
   explicit Formula(Graph& graph) : graph_(graph) {}
 
   NodeId number(double value) { return graph_.constant(value); }
-  NodeId add(NodeId a, NodeId b) { return graph_.apply(Op::kAddFloat, {a, b}); }
-  NodeId subtract(NodeId a, NodeId b) { return graph_.apply(Op::kSubFloat, {a, b}); }
-  NodeId multiply(NodeId a, NodeId b) { return graph_.apply(Op::kMulFloat, {a, b}); }
-  NodeId divide(NodeId a, NodeId b) { return graph_.apply(Op::kDivFloat, {a, b}); }
+  NodeId add(NodeId a, NodeId b) { return combined(Op::kAddFloat, a, b, std::plus<>()); }
+  NodeId subtract(NodeId a, NodeId b) { return combined(Op::kSubFloat, a, b, std::minus<>()); }
+  NodeId multiply(NodeId a, NodeId b) { return combined(Op::kMulFloat, a, b, std::multiplies<>()); }
+  NodeId divide(NodeId a, NodeId b) { return combined(Op::kDivFloat, a, b, std::divides<>()); }
   NodeId negate(NodeId a) { return graph_.apply(Op::kNegFloat, {a}); }
   /// Of a constant for which the operation means nothing it is minus infinity: of 0 it should be, and others
   /// lie outside of the support.
@@ -36,6 +37,15 @@ class Formula {
   NodeId complement(NodeId a) { return subtract(number(1), a); }
 
  private:
+  /// Of constants it can be infinite, as the logarithm of a density can, but not that of a float of a
+  /// program.
+  template <class Combine>
+  NodeId combined(Op op, NodeId a, NodeId b, Combine combine) {
+    const bool constant = graph_.node(a).is_constant() && graph_.node(b).is_constant();
+    if (constant) return number(combine(graph_.scalar(a).f, graph_.scalar(b).f));
+    return graph_.apply(op, {a, b});
+  }
+
   Graph& graph_;
 };
 

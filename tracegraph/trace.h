@@ -20,13 +20,6 @@ struct TraceChoice {
   std::vector<NodeId> parameters = {};
 };
 
-/// A factor by which an execution is weighted, as its logarithm.
-struct TraceFactor {
-  NodeId guard;
-  NodeId log_weight;  // a float
-  Span span;
-};
-
 /// Why an execution is ruled out.
 enum class ConstraintKind : std::uint8_t {
   kAssert,    // an assert of the program
@@ -105,7 +98,6 @@ struct Trace {
   std::vector<TracePlaced> placed;
   std::vector<TraceBlocker> blockers;
   std::vector<TraceProgramError> program_errors;
-  std::vector<TraceFactor> factors;
   std::vector<NodeId> returned;  // on which the program's value depends
 
   bool has_costs() const;

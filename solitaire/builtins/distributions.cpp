@@ -52,8 +52,8 @@ const Row& row_of(Family family) {
 }
 
 struct RecordKind : RecordStmt {
-  RecordKind(const char* kind, const std::vector<const char*>& names) : RecordStmt(Span{}) {
-    name = kind;
+  RecordKind(const char* called, const std::vector<const char*>& names) : RecordStmt(Span{}) {
+    name = called;
     for (const char* each : names) fields.push_back({each, {}, nullptr});
   }
 };
@@ -134,12 +134,24 @@ Distribution distribution_of(Family family, std::span<const double> numbers) {
   }
 }
 
+/// Where a parameter stands: an argument of the call that draws, or else the whole call.
+Span parameter_span(const CallExpr& site, const Row& row, std::size_t number) {
+  for (std::size_t i = 0; i < site.arguments.size(); ++i) {
+    const Argument& argument = site.arguments[i];
+    if (argument.name.empty() ? i == number : argument.name == row.parameters[number].name)
+      return argument.value->span;
+  }
+  return site.span;
+}
+
 /// Where the parameters are traced, what they may be is checked of their present values alone: whoever runs
 /// on the trace runs what it shows again.
-Prior prior_of(Evaluator& evaluator, const Row& row, Items values, Span span) {
+/// `drawing` is true if the parameters are the arguments of the call.
+Prior prior_of(Evaluator& evaluator, const Row& row, Items values, const CallExpr& site, bool drawing) {
   std::array<double, 2> numbers{};
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const auto& [name, rule] = row.parameters[i];
+    const Span span = drawing ? parameter_span(site, row, i) : site.span;
     numbers[i] = known_number(evaluator, values[i], row.draw, span);
     if (!keeps(rule, numbers[i])) {
       evaluator.program_error(span, fmt::format("the {} of '{}' is {}, not {}", name, row.draw, words(rule),
@@ -147,7 +159,7 @@ Prior prior_of(Evaluator& evaluator, const Row& row, Items values, Span span) {
     }
   }
   if (row.family == Family::kUniform && numbers[0] >= numbers[1])
-    evaluator.program_error(span, "'uniform' needs a first number that is below the second");
+    evaluator.program_error(site.span, "'uniform' needs a first number that is below the second");
   const auto count = row.parameters.size();
   return {distribution_of(row.family, {numbers.data(), count}),
           {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)}};
@@ -180,7 +192,7 @@ Value flip(Evaluator& evaluator, Call call) {
   const Value& probability = call.arguments[0];
   if (!given(probability)) return decide_flip(evaluator, call.site, {Distribution::flip(), {Value(0.5)}});
   if (is_known(probability) || evaluator.weighs()) {
-    const Prior prior = prior_of(evaluator, row_of(Family::kFlip), call.arguments, call.site.span);
+    const Prior prior = prior_of(evaluator, row_of(Family::kFlip), call.arguments, call.site, true);
     return decide_flip(evaluator, call.site, prior);
   }
   evaluator.effects().needs_execution();  // which looks at whether it is a probability
@@ -190,7 +202,7 @@ Value flip(Evaluator& evaluator, Call call) {
 template <Family kFamily>
 Value draw(Evaluator& evaluator, Call call) {
   const Row& row = row_of(kFamily);
-  return evaluator.draw(call.site, prior_of(evaluator, row, call.arguments, call.site.span), row.draw);
+  return evaluator.draw(call.site, prior_of(evaluator, row, call.arguments, call.site, true), row.draw);
 }
 
 /// The family of a normal distribution and its two parameters, of three of which the last exclude each other.
@@ -208,7 +220,8 @@ std::pair<Family, std::array<Value, 2>> normal_parameters(Evaluator& evaluator, 
 
 Value normal(Evaluator& evaluator, Call call) {
   const auto [family, parameters] = normal_parameters(evaluator, call);
-  return evaluator.draw(call.site, prior_of(evaluator, row_of(family), parameters, call.site.span), "normal");
+  return evaluator.draw(call.site, prior_of(evaluator, row_of(family), parameters, call.site, true),
+                        "normal");
 }
 
 /// An int from 0 up to the last of the weights, which are looked at where that matters.
@@ -270,7 +283,7 @@ Value dirichlet(Evaluator& evaluator, Call call) {
     Value left = 1.0;
     for (std::size_t i = 0; i + 1 < items.size(); ++i) {
       const std::array<Value, 2> shapes = {items[i], sums[i + 1]};
-      const Prior prior = prior_of(evaluator, row_of(Family::kBeta), shapes, span);
+      const Prior prior = prior_of(evaluator, row_of(Family::kBeta), shapes, call.site, false);
       const Value share = evaluator.draw(call.site, prior, "dirichlet", static_cast<std::uint32_t>(i));
       const Value others = evaluator.arithmetic(BinaryOp::kSubtract, 1.0, share, span);
       parts.push_back(i == 0 ? share : evaluator.arithmetic(BinaryOp::kMultiply, left, share, span));
@@ -349,11 +362,13 @@ Value density_at(Evaluator& evaluator, const Record& record, const Prior& prior,
   return evaluator.log_density(prior, x, span);
 }
 
-Value density_of_record(Evaluator& evaluator, const Record& record, const Value& x, Span span) {
+Value density_of_record(Evaluator& evaluator, const Record& record, const Value& x, const CallExpr& site) {
+  const Span span = site.span;
   const RecordKinds& kinds = record_kinds();
   for (std::size_t i = 0; i < kinds.of_rows.size(); ++i) {
     if (record.type == &kinds.of_rows[i])
-      return density_at(evaluator, record, prior_of(evaluator, rows()[i], record.fields, span), x, span);
+      return density_at(evaluator, record, prior_of(evaluator, rows()[i], record.fields, site, false), x,
+                        span);
   }
   return evaluator.with_items(record.fields[0], record.type->name.c_str(), span, [&](Items items) -> Value {
     if (record.type == &kinds.categorical)
@@ -378,8 +393,9 @@ Value log_density(Evaluator& evaluator, Call call) {
       evaluator.program_error(span, fmt::format("this needs a distribution, not {}", describe(given)),
                               "such as Normal(0, 1)");
     }
-    return evaluator.each_shape(
-        call.arguments[1], [&](const Value& x) { return density_of_record(evaluator, *record, x, span); });
+    return evaluator.each_shape(call.arguments[1], [&](const Value& x) {
+      return density_of_record(evaluator, *record, x, call.site);
+    });
   });
 }
 

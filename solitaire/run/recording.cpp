@@ -80,7 +80,12 @@ bool TracedEffects::wish(AddressId address, Span span, const Value& cost) {
 }
 
 void TracedEffects::factor(Span span, const Value& log_weight) {
-  traced_.trace.factors.push_back({kTrue, node_of(graph_, log_weight), span});
+  Term term;
+  term.strength = Term::Strength::kLogWeight;
+  term.guard = kTrue;
+  term.node = node_of(graph_, log_weight);
+  term.span = span;
+  traced_.trace.add(std::move(term));
   ExecutionEffects::factor(span, log_weight);
 }
 

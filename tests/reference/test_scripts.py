@@ -46,7 +46,7 @@ def documented_programs(folder):
         page_text = page.read_text(encoding="utf-8")
         for match in re.finditer(r"^```sol(.*?)\n(.*?)^```", page_text, re.MULTILINE | re.DOTALL):
             fence, source = match.group(1).strip(), match.group(2)
-            if fence.startswith("norun"):
+            if fence.startswith(("norun", "samples")):
                 continue
             line = page_text.count("\n", 0, match.start()) + 2
             name = fence.removeprefix("file=") if fence.startswith("file=") else f"line{line}.sol"

@@ -24,6 +24,7 @@
 #include <solitaire/options.h>
 #include <solitaire/output.h>
 #include <solitaire/program.h>
+#include <solitaire/sample.h>
 #include <solitaire/search.h>
 #include <solitaire/solution.h>
 #include <solitaire/stop.h>

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/progress.h"
+#include "app/report.h"
+#include "app/session.h"
+
+namespace solitaire::app {
+namespace {
+
+SampleOptions sampling(const Session& session, const Options& options) {
+  SampleOptions sample = options.sampling;
+  static_cast<solitaire::api::Options&>(sample) = session.search;
+  return sample;
+}
+
+std::string account(const SampleSummary& summary) {
+  std::string text =
+      fmt::format("{} draws of {} chain{} in {:.1f} s, {:.0f} steps a second, {:.0f} % accepted",
+                  summary.draws, summary.chains, summary.chains == 1 ? "" : "s", summary.seconds,
+                  summary.steps_per_second, 100 * summary.acceptance);
+  for (const SampledMoves& move : summary.moves) {
+    text +=
+        fmt::format("\n  {}: {:.0f} % of {} accepted", move.name,
+                    100.0 * static_cast<double>(move.accepted) / static_cast<double>(move.tried), move.tried);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+/// Draws executions by how probable they are, and sums up what the program returns. A limit ends the drawing
+/// in good order: what is drawn by then is summed up and kept.
+ExitStatus sample_command(const Options& options, Watchdog& watchdog) {
+  const Session session(options);
+  const SampleOptions asked = sampling(session, options);
+  Progress progress(!options.quiet);
+  Sampler sampler(session.program, asked);
+  const auto end_at_limit = [&] { return report_limit(options); };
+  const Watchdog::AtLimit at_limit(watchdog, end_at_limit);
+  const SampleSummary summary = sampler.run([&](std::uint64_t done, std::uint64_t all) {
+    if (done % 64 == 0) progress.update(fmt::format("{} of {} draws", done, all));
+  });
+  const auto lock = watchdog.delivering();
+  progress.end();
+  if (options.draws_file) sampler.write_draws(*options.draws_file);
+  print_result(options.json ? to_json(summary) + "\n" : to_text(summary));
+  if (!options.quiet) tell(account(summary));
+  if (!asked.stop.stopped()) return watchdog.conclude(kDelivered);
+  if (!options.quiet) tell(limit_text(options) + "\n");
+  return watchdog.conclude(kLimit);
+}
+
+}  // namespace solitaire::app

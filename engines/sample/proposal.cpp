@@ -1,0 +1,122 @@
+#include "engines/sample/proposal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracegraph/drawing.h"
+
+namespace solitaire {
+namespace {
+
+using Family = Distribution::Family;
+
+constexpr double kWantedAcceptance = 0.44;
+
+/// The coordinate in which a float walks: itself, its logarithm or its log odds, so that it stays where its
+/// family has it.
+enum class Coordinate : std::uint8_t { kPlain, kLog, kLogOdds };
+
+Coordinate coordinate_of(Family family) {
+  switch (family) {
+    case Family::kExponential:
+    case Family::kGamma:
+      return Coordinate::kLog;
+    case Family::kBeta:
+      return Coordinate::kLogOdds;
+    default:
+      return Coordinate::kPlain;
+  }
+}
+
+/// How far a walk goes before anything is learned.
+double first_scale(const Distribution& distribution) {
+  switch (distribution.family) {
+    case Family::kUniform:
+      return 0.2 * (distribution.b - distribution.a);
+    case Family::kNormal:
+      return 0.5 * distribution.b;
+    case Family::kNormalSharp:
+      return 0.5 / std::sqrt(distribution.b);
+    default:
+      return 0.5;
+  }
+}
+
+}  // namespace
+
+const char* name(Proposal::Move move) {
+  switch (move) {
+    case Proposal::Move::kPrior:
+      return "prior";
+    case Proposal::Move::kOther:
+      return "other value";
+    case Proposal::Move::kNeighbour:
+      return "neighbour";
+    case Proposal::Move::kWalk:
+      break;
+  }
+  return "walk";
+}
+
+/// Half of the steps go anywhere, and half close by: the first leave a mode, the second explore it.
+Proposal Proposer::propose(AddressId address, const Distribution& distribution, TypedScalar value) {
+  const bool near = stream_.below(2) == 0;
+  if (distribution.type() == Type::kFloat) {
+    if (!near) return from_prior(distribution, value);
+    return walk(std::exp(scales_[address].log_factor), distribution, value);
+  }
+  if (!distribution.is_finite())
+    return near ? neighbour(distribution, value) : from_prior(distribution, value);
+  if (distribution.size() == 1) return {value, 0, Proposal::Move::kOther};
+  const bool has_near = distribution.family == Family::kRange && distribution.size() > 4;
+  return near && has_near ? neighbour(distribution, value) : other(distribution, value);
+}
+
+Proposal Proposer::from_prior(const Distribution& distribution, TypedScalar value) {
+  const TypedScalar proposed = distribution.sample(stream_);
+  return {proposed, distribution.log_density(value) - distribution.log_density(proposed),
+          Proposal::Move::kPrior};
+}
+
+Proposal Proposer::other(const Distribution& distribution, TypedScalar value) {
+  const auto present = static_cast<std::uint64_t>((value.as_int() - distribution.lo) / distribution.step);
+  std::uint64_t number = stream_.below(distribution.size() - 1);
+  if (number >= present) ++number;
+  return {distribution.typed(distribution.value(number)), 0, Proposal::Move::kOther};
+}
+
+/// Goes up or down by 1, 2, 4 or 8 steps; what leads outside is impossible, and so refused later.
+Proposal Proposer::neighbour(const Distribution& distribution, TypedScalar value) {
+  const std::int64_t distance = distribution.step << stream_.below(4);
+  const std::int64_t sign = stream_.below(2) == 0 ? 1 : -1;
+  return {TypedScalar::of(value.as_int() + sign * distance), 0, Proposal::Move::kNeighbour};
+}
+
+/// A normal step in the coordinate. What is symmetric there is not so for the value itself: the ratio of the
+/// densities is that of the derivatives of the value by the coordinate.
+Proposal Proposer::walk(double scale, const Distribution& distribution, TypedScalar value) {
+  const double x = value.as_float();
+  const double step = scale * first_scale(distribution) * draw_normal(stream_);
+  const auto made = [](double proposed, double log_ratio) {
+    return Proposal{TypedScalar::of(proposed), log_ratio, Proposal::Move::kWalk};
+  };
+  switch (coordinate_of(distribution.family)) {
+    case Coordinate::kPlain:
+      return made(x + step, 0);
+    case Coordinate::kLog:
+      return made(x * std::exp(step), step);
+    case Coordinate::kLogOdds:
+      break;
+  }
+  const double proposed = 1 / (1 + std::exp(-(std::log(x / (1 - x)) + step)));
+  return made(proposed, std::log(proposed * (1 - proposed)) - std::log(x * (1 - x)));
+}
+
+void Proposer::learn(AddressId address, double acceptance) {
+  Scale& scale = scales_[address];
+  scale.told += 1;
+  scale.log_factor += 2 / std::sqrt(scale.told) * (acceptance - kWantedAcceptance);
+  scale.log_factor = std::clamp(scale.log_factor, -40.0, 10.0);
+}
+
+}  // namespace solitaire

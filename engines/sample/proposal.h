@@ -1,0 +1,50 @@
+#pragma once
+#include <unordered_map>
+
+#include "base/random.h"
+#include "tracegraph/address.h"
+#include "tracegraph/distribution.h"
+
+namespace solitaire {
+
+/// A value that a choice might change to.
+struct Proposal {
+  enum class Move : std::uint8_t {
+    kPrior,      // drawn anew from the choice's distribution
+    kOther,      // one of the other values of a finite family, each alike
+    kNeighbour,  // an int close by
+    kWalk,       // a float close by, on a scale that is tuned
+  };
+  TypedScalar value;
+  /// log q(old | new) - log q(new | old), where q is the density with which the one proposes the other.
+  double log_ratio = 0;
+  Move move = Move::kPrior;
+};
+
+const char* name(Proposal::Move move);
+
+/// Proposes values for single choices, by what their distributions alone say.
+class Proposer {
+ public:
+  explicit Proposer(RandomStream& stream) : stream_(stream) {}
+
+  Proposal propose(AddressId address, const Distribution& distribution, TypedScalar value);
+  /// Tunes the walk of that choice towards an acceptance of 0.44, which is best for walks in one dimension
+  /// (Gelman, Roberts and Gilks 1996), by the method of Robbins and Monro. To be told during warm-up only.
+  void learn(AddressId address, double acceptance);
+
+ private:
+  struct Scale {
+    double log_factor = 0;
+    double told = 0;
+  };
+  Proposal from_prior(const Distribution& distribution, TypedScalar value);
+  Proposal other(const Distribution& distribution, TypedScalar value);
+  Proposal neighbour(const Distribution& distribution, TypedScalar value);
+  Proposal walk(double scale, const Distribution& distribution, TypedScalar value);
+
+  RandomStream& stream_;
+  std::unordered_map<AddressId, Scale> scales_;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,94 @@
+#include "engines/sample/sampling.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+
+#include "base/large_stack.h"
+#include "engines/sample/lightweight.h"
+#include "engines/sample/returned_numbers.h"
+
+namespace solitaire {
+namespace {
+
+std::unique_ptr<Chain> make_chain(const ChainProgram& own, const SamplingOptions& options,
+                                  std::size_t number) {
+  return std::make_unique<LightweightChain>(*own.program, *own.params, options.limits, options.seed, number);
+}
+
+/// One chain from its start to its last draw.
+void run_chain(const ChainProgram& own, const SamplingOptions& options, std::size_t number,
+               const std::function<void()>& drawn, ChainResult& result) {
+  const ReturnedNumbers returned(*own.program);
+  const std::unique_ptr<Chain> chain = make_chain(own, options, number);
+  const auto draw = [&] {
+    for (std::uint64_t i = 0; i < options.thin; ++i) {
+      if (options.limits.stop != nullptr && options.limits.stop->stopped()) throw Interrupted{};
+      chain->sweep();
+    }
+    drawn();
+  };
+  for (std::uint64_t i = 0; i < options.warmup; ++i) draw();
+  chain->end_warmup();
+  for (std::uint64_t i = 0; i < options.draws; ++i) {
+    draw();
+    result.moves = chain->moves();
+    std::vector<std::string> names;
+    std::vector<double> numbers;
+    returned.read(chain->value(), names, numbers);
+    result.draws.add(names, numbers);
+  }
+}
+
+class ChainRuns {
+ public:
+  ChainRuns(const std::vector<ChainProgram>& programs, const SamplingOptions& options,
+            const std::function<void()>& drawn)
+      : programs_(programs),
+        options_(options),
+        drawn_(drawn),
+        results_(programs.size()),
+        errors_(programs.size()) {}
+
+  /// Runs chains that nobody has begun until there are none.
+  void work() {
+    for (std::size_t i = next_++; i < programs_.size(); i = next_++) {
+      try {
+        run_chain(programs_[i], options_, i, drawn_, results_[i]);
+      } catch (const Interrupted&) {
+        results_[i].stopped = true;
+      } catch (...) {
+        errors_[i] = std::current_exception();
+      }
+    }
+  }
+
+  std::vector<ChainResult> results() {
+    for (const std::exception_ptr& error : errors_)
+      if (error) std::rethrow_exception(error);
+    return std::move(results_);
+  }
+
+ private:
+  const std::vector<ChainProgram>& programs_;
+  const SamplingOptions& options_;
+  const std::function<void()>& drawn_;
+  std::atomic<std::size_t> next_ = 0;
+  std::vector<ChainResult> results_;
+  std::vector<std::exception_ptr> errors_;
+};
+
+}  // namespace
+
+std::vector<ChainResult> run_chains(const std::vector<ChainProgram>& programs, const SamplingOptions& options,
+                                    std::size_t jobs, const std::function<void()>& drawn) {
+  ChainRuns runs(programs, options, drawn);
+  {
+    std::vector<std::unique_ptr<LargeStackThread>> threads;
+    for (std::size_t i = 0; i < std::min(std::max<std::size_t>(jobs, 1), programs.size()); ++i)
+      threads.push_back(std::make_unique<LargeStackThread>([&] { runs.work(); }));
+  }
+  return runs.results();
+}
+
+}  // namespace solitaire

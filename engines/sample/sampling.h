@@ -1,0 +1,41 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engines/sample/chain.h"
+#include "engines/sample/draw_table.h"
+#include "solitaire/run/evaluator.h"
+
+namespace solitaire {
+
+/// A program that one thread has for itself: values count who holds them without regard to other threads.
+struct ChainProgram {
+  const Program* program = nullptr;
+  const ParamValues* params = nullptr;
+};
+
+struct SamplingOptions {
+  enum class Engine : std::uint8_t { kLightweight };
+  Engine engine = Engine::kLightweight;
+  std::uint64_t seed = 0;
+  std::uint64_t draws = 1000;   // that are kept of each chain
+  std::uint64_t warmup = 1000;  // draws of each chain before these, which are thrown away
+  std::uint64_t thin = 1;       // sweeps from one draw to the next
+  Limits limits;
+};
+
+/// What came of chains that ran side by side.
+struct ChainResult {
+  DrawTable draws;
+  MoveCounts moves;
+  bool stopped = false;  // by the limits' stop signal, before all draws were there
+};
+
+/// Runs one chain for each program, each on a thread for it, at most `jobs` at a time. `drawn` is told after
+/// each draw, those of the warm-up included, from any of the threads. What comes depends on neither. Throws
+/// what a chain throws, the first by number, but for Interrupted.
+std::vector<ChainResult> run_chains(const std::vector<ChainProgram>& programs, const SamplingOptions& options,
+                                    std::size_t jobs, const std::function<void()>& drawn);
+
+}  // namespace solitaire

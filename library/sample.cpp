@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <solitaire/sample.h>
+
+#include "engines/sample/diagnostics.h"
+#include "engines/sample/sampling.h"
+#include "engines/tuning.h"
+#include "library/program_state.h"
+#include "library/stop_access.h"
+#include "library/translate.h"
+#include "scene/atomic_file.h"
+
+namespace solitaire::api {
+namespace {
+
+SamplingOptions sampling_of(const SampleOptions& options) {
+  SamplingOptions sampling;
+  sampling.seed = options.seed;
+  sampling.draws = (options.draws + options.chains - 1) / options.chains;
+  sampling.warmup = options.warmup.value_or(std::clamp<std::uint64_t>(sampling.draws, 500, 5000));
+  sampling.thin = options.thin;
+  sampling.limits.max_steps = options.max_steps;
+  sampling.limits.max_depth = options.max_depth;
+  sampling.limits.stop = StopAccess::signal(options.stop);
+  return sampling;
+}
+
+/// The chains that have enough draws to be compared: where a stop came, some may hardly have begun.
+std::vector<const DrawTable*> comparable(const std::vector<ChainResult>& chains) {
+  std::size_t longest = 0;
+  for (const ChainResult& chain : chains) longest = std::max(longest, chain.draws.rows());
+  std::vector<const DrawTable*> tables;
+  for (const ChainResult& chain : chains)
+    if (longest > 0 && 2 * chain.draws.rows() >= longest) tables.push_back(&chain.draws);
+  return tables;
+}
+
+std::vector<std::string> names_of(const std::vector<const DrawTable*>& tables) {
+  std::vector<std::string> names;
+  for (const DrawTable* table : tables) {
+    for (const std::string& name : table->names())
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// The draws of a number, as many of each chain; empty if some draws do not have it.
+ChainDraws draws_of(const std::string& name, const std::vector<const DrawTable*>& tables) {
+  std::size_t shortest = SIZE_MAX;
+  for (const DrawTable* table : tables) shortest = std::min(shortest, table->rows());
+  ChainDraws draws;
+  for (const DrawTable* table : tables) {
+    draws.push_back(table->column(name));
+    draws.back().resize(shortest);
+    const auto absent = [](double each) { return std::isnan(each); };
+    if (std::any_of(draws.back().begin(), draws.back().end(), absent)) return {};
+  }
+  return draws;
+}
+
+SampledNumber summarized(const std::string& name, const ChainDraws& draws) {
+  const DrawSummary found = summarize(draws);
+  return {name,      found.mean, found.sd,       found.mcse,     found.q5,
+          found.q50, found.q95,  found.ess_bulk, found.ess_tail, found.rhat};
+}
+
+void add_moves(const std::vector<ChainResult>& chains, SampleSummary& summary) {
+  MoveCounts all;
+  for (const ChainResult& chain : chains) {
+    for (const auto& [name, count] : chain.moves) {
+      all[name].tried += count.tried;
+      all[name].accepted += count.accepted;
+    }
+  }
+  std::uint64_t accepted = 0;
+  for (const auto& [name, count] : all) {
+    summary.moves.push_back({name, count.tried, count.accepted});
+    summary.steps += count.tried;
+    accepted += count.accepted;
+  }
+  if (summary.steps > 0)
+    summary.acceptance = static_cast<double>(accepted) / static_cast<double>(summary.steps);
+}
+
+/// "a, b and 3 more"
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > kShown ? fmt::format("{} and {} more", text, names.size() - kShown) : text;
+}
+
+template <class Condition>
+std::string where(const SampleSummary& summary, Condition holds) {
+  std::vector<std::string> names;
+  for (const SampledNumber& number : summary.parameters)
+    if (holds(number)) names.push_back(number.name);
+  return listed(names);
+}
+
+void add_warnings(SampleSummary& summary, const std::vector<std::string>& partial, bool stopped) {
+  const auto warn = [&](const std::string& text) { summary.warnings.push_back(text); };
+  if (stopped) warn("stopped before all draws were there; the summary is of those that were");
+  const std::string apart = where(summary, [](const auto& each) { return each.rhat > tuning::kMostRHat; });
+  if (!apart.empty()) {
+    warn(fmt::format(
+        "R-hat is above {} for {}: the chains do not agree, so the numbers are not to be trusted; "
+        "ask for more draws (-n) or a longer warm-up (--warmup)",
+        tuning::kMostRHat, apart));
+  }
+  const std::string few = where(summary, [](const auto& each) {
+    return each.ess_bulk < tuning::kLeastEffective || each.ess_tail < tuning::kLeastEffective;
+  });
+  if (!few.empty()) {
+    warn(fmt::format("the draws are worth fewer than {} independent ones for {}: ask for more (-n)",
+                     tuning::kLeastEffective, few));
+  }
+  if (!partial.empty())
+    warn(fmt::format("not all draws have {}, so there is no summary of it", listed(partial)));
+  if (summary.draws > 0 && summary.steps > 0 && summary.acceptance == 0)
+    warn("no step was accepted: every draw of a chain is the one that it started from");
+}
+
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\n") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + "\"";
+}
+
+}  // namespace
+
+class Sampler::State {
+ public:
+  State(const Program& program, const SampleOptions& options) : program_(program), options_(options) {
+    if (options.draws == 0 || options.chains == 0 || options.thin == 0)
+      throw Error(Error::Kind::kUsage, "draws, chains and thin are whole numbers from 1");
+  }
+
+  SampleSummary run(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+    return translated(program_.state().program.sources, [&] {
+      const auto start = std::chrono::steady_clock::now();
+      draw(progress);
+      SampleSummary summary = summary_of_draws();
+      summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      if (summary.seconds > 0)
+        summary.steps_per_second = static_cast<double>(summary.steps) / summary.seconds;
+      return summary;
+    });
+  }
+
+  void write_draws(const std::filesystem::path& path) const {
+    translated(program_.state().program.sources, [&] { write_file_atomically(path, draws_text()); });
+  }
+
+ private:
+  void draw(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+    const SamplingOptions sampling = sampling_of(options_);
+    const auto own = programs_for_workers(program_, options_.chains);
+    std::vector<ChainProgram> programs;
+    for (const auto& each : own) programs.push_back({&each->program, &each->params});
+    const std::uint64_t all = options_.chains * (sampling.draws + sampling.warmup);
+    std::atomic<std::uint64_t> done = 0;
+    chains_ = run_chains(programs, sampling, options_.jobs, [&] {
+      const std::uint64_t now = ++done;
+      if (progress) progress(now, all);
+    });
+  }
+
+  SampleSummary summary_of_draws() const {
+    SampleSummary summary;
+    bool stopped = false;
+    for (const ChainResult& chain : chains_) {
+      summary.draws += chain.draws.rows();
+      stopped = stopped || chain.stopped;
+    }
+    const std::vector<const DrawTable*> tables = comparable(chains_);
+    summary.chains = tables.size();
+    std::vector<std::string> partial;
+    for (const std::string& name : names_of(tables)) {
+      const ChainDraws draws = draws_of(name, tables);
+      if (draws.empty()) {
+        partial.push_back(name);
+      } else {
+        summary.parameters.push_back(summarized(name, draws));
+      }
+    }
+    add_moves(chains_, summary);
+    add_warnings(summary, partial, stopped);
+    return summary;
+  }
+
+  std::string draws_text() const {
+    std::vector<const DrawTable*> tables;
+    for (const ChainResult& chain : chains_) tables.push_back(&chain.draws);
+    const std::vector<std::string> names = names_of(tables);
+    std::string text = "chain,draw";
+    for (const std::string& name : names) text += "," + quoted(name);
+    text += "\n";
+    for (std::size_t c = 0; c < tables.size(); ++c) {
+      std::vector<std::vector<double>> columns;
+      for (const std::string& name : names) columns.push_back(tables[c]->column(name));
+      for (std::size_t row = 0; row < tables[c]->rows(); ++row) {
+        text += fmt::format("{},{}", c + 1, row + 1);
+        for (const auto& column : columns)
+          text += std::isnan(column[row]) ? std::string(",") : fmt::format(",{}", column[row]);
+        text += "\n";
+      }
+    }
+    return text;
+  }
+
+  Program program_;
+  SampleOptions options_;
+  std::vector<ChainResult> chains_;
+};
+
+Sampler::Sampler(const Program& program, const SampleOptions& options)
+    : state_(std::make_unique<State>(program, options)) {}
+Sampler::~Sampler() = default;
+SampleSummary Sampler::run(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+  return state_->run(progress);
+}
+void Sampler::write_draws(const std::filesystem::path& path) const { state_->write_draws(path); }
+
+}  // namespace solitaire::api

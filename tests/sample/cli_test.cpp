@@ -1,0 +1,119 @@
+// The command `solitaire sample` as its users meet it.
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/command.h"
+
+namespace solitaire {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCoin =
+    "p = beta(1, 1);\n"
+    "for i in 1..7: observe(Flip(p), true);\n"
+    "for i in 1..3: observe(Flip(p), false);\n"
+    "return p, [p > 0.5];\n";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_CASE("command: the summary as JSON has every field, and is right") {
+  const Workplace place;
+  const Outcome outcome =
+      run_solitaire({"sample", place.file("coin.sol", kCoin), "-n", "4000", "--chains", "2", "--json"});
+  REQUIRE(outcome.status == 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  REQUIRE(json["parameters"].size() == 2);
+  const auto& p = json["parameters"][0];
+  CHECK(p["name"] == "p");
+  CHECK(json["parameters"][1]["name"] == "[p > 0.5][0]");
+  for (const char* field : {"mean", "sd", "mcse", "q5", "q50", "q95", "ess_bulk", "ess_tail", "rhat"})
+    CHECK(p[field].is_number());
+  // The posterior is a beta distribution with 8 and 4.
+  CHECK(std::abs(p["mean"].get<double>() - 8.0 / 12) < 4 * p["mcse"].get<double>());
+  CHECK(p["sd"].get<double>() == doctest::Approx(std::sqrt(8 * 4 / (144.0 * 13))).epsilon(0.1));
+  CHECK(json["chains"] == 2);
+  CHECK(json["draws"] == 4000);
+  CHECK(json["steps"] == 4000);
+  CHECK(json["steps_per_second"].get<double>() > 0);
+  CHECK(json["acceptance"].get<double>() > 0.1);
+  CHECK(json["warnings"].is_array());
+  CHECK(outcome.err.find("4000 draws of 2 chains") != std::string::npos);
+}
+
+TEST_CASE("command: draws are the same for any number of jobs, and others for another seed") {
+  const Workplace place;
+  const std::string script = place.file("coin.sol", kCoin);
+  const auto draws = [&](const std::string& jobs, const std::string& seed) {
+    const fs::path file = place / ("draws" + jobs + "_" + seed + ".csv");
+    const Outcome outcome = run_solitaire({"sample", script, "-n", "40", "--chains", "4", "--warmup", "20",
+                                           "-q", "--jobs", jobs, "--seed", seed, "--draws", file});
+    REQUIRE(outcome.status == 0);
+    return bytes_of(file);
+  };
+  const std::string first = draws("1", "3");
+  CHECK(first == draws("4", "3"));
+  CHECK(first != draws("1", "4"));
+  const auto lines = lines_of(first);
+  REQUIRE(lines.size() == 41);
+  CHECK(lines[0] == "chain,draw,p,[p > 0.5][0]");
+  CHECK(lines[1].rfind("1,1,0.", 0) == 0);
+  CHECK(lines[40].rfind("4,10,0.", 0) == 0);
+}
+
+TEST_CASE("command: an interrupt keeps what was drawn") {
+  const Workplace place;
+  const fs::path file = place / "draws.csv";
+  Command command(solitaire_with({"sample", place.file("coin.sol", kCoin), "-n", "100000000", "--warmup",
+                                  "10", "--json", "--draws", file}));
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  command.signal(SIGINT);
+  const Outcome outcome = command.wait();
+  CHECK(outcome.status == 4);
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["draws"].get<int>() > 0);
+  CHECK(json["warnings"][0].get<std::string>().find("stopped") == 0);
+  CHECK(lines_of(bytes_of(file)).size() == json["draws"].get<std::size_t>() + 1);
+}
+
+TEST_CASE("command: what cannot be started from is an error at its place") {
+  const Workplace place;
+  const Outcome outcome =
+      run_solitaire({"sample", place.file("never.sol", "x = uniform(0, 1);\nassert(x > 2);\nreturn x;\n")});
+  CHECK(outcome.status == 3);
+  CHECK(outcome.err.find("never.sol:2:8: error: none of 10000 executions") != std::string::npos);
+}
+
+TEST_CASE("command: a mistake that an execution comes to is reported") {
+  const Workplace place;
+  const Outcome outcome =
+      run_solitaire({"sample", place.file("wrong.sol", "s = normal(0, 1);\nreturn normal(0, s);\n")});
+  CHECK(outcome.status == 3);
+  CHECK(outcome.err.find("wrong.sol:2:18: error: the sd of 'normal' is a positive number") !=
+        std::string::npos);
+}
+
+TEST_CASE("command: numbers that not all draws have are named") {
+  const Workplace place;
+  const Outcome outcome = run_solitaire(
+      {"sample",
+       place.file("many.sol", "n = range(1, 3);\nxs = [normal(0, 1) for i in 1..n];\nreturn n, xs;\n"),
+       "--json", "-q"});
+  REQUIRE(outcome.status == 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["parameters"].size() == 2);
+  CHECK(outcome.out.find("not all draws have xs[1], xs[2]") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace solitaire
