@@ -24,7 +24,8 @@ class Chain {
  public:
   virtual ~Chain() = default;
   /// So many steps that each choice has its turn, on the average. How many that is must not depend on the
-  /// state: looked at after longer and shorter times in different states, a chain shows some of them too often.
+  /// state: looked at after longer and shorter times in different states, a chain shows some of them too
+  /// often.
   virtual void sweep() = 0;
   /// Steps are tuned up to here, and never again: a chain that learns for ever has no known distribution.
   virtual void end_warmup() = 0;

@@ -60,7 +60,7 @@ class LightweightChain : public Chain {
   State proposed_;
   std::vector<std::uint32_t> positions_;  // in state_.choices, by address number
   std::vector<bool> met_;                 // of the present choices, by the proposed execution
-  std::size_t steps_in_sweep_ = 1;  // the most choices that a state of the warm-up had
+  std::size_t steps_in_sweep_ = 1;        // the most choices that a state of the warm-up had
   bool warming_up_ = true;
   MoveCounts moves_;
 };
