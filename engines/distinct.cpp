@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "solitaire/value/plain_value.h"
+
 namespace solitaire {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "solitaire/value/plain_copy.h"
+
 namespace solitaire {
 namespace {
 

@@ -5,6 +5,7 @@
 
 #include "library/freeze.h"
 #include "library/program_state.h"
+#include "solitaire/value/plain_copy.h"
 
 namespace solitaire::api {
 namespace {

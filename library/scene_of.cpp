@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "library/json.h"
+#include "scene/build_scene.h"
 
 namespace solitaire::api {
 namespace {

@@ -8,6 +8,7 @@
 #include "engines/distinct.h"
 #include "engines/freeze.h"
 #include "engines/solve/exclusion.h"
+#include "solitaire/value/plain_copy.h"
 #include "tests/program_run.h"
 
 namespace solitaire {

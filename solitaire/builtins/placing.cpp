@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
-#include "solitaire/value/value.h"
+#include "solitaire/value/plain_copy.h"
 
 namespace solitaire {
 namespace {

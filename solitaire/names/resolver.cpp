@@ -1,5 +1,6 @@
 #include "solitaire/names/resolver.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
@@ -172,9 +173,12 @@ class Resolver {
 
   void record(RecordStmt& node) {
     top_level_only(node.span, "a record");
-    for (const Parameter& field : node.fields) {
+    for (std::uint32_t i = 0; i < node.fields.size(); ++i) {
+      const Parameter& field = node.fields[i];
       if (field.default_value) expression_for(field.name, *field.default_value);
-      node.numbers.push_back(program_.field_names.number(field.name));
+      const std::uint32_t number = program_.field_names.number(field.name);
+      if (number >= node.positions.size()) node.positions.resize(number + 1, RecordStmt::kNoField);
+      if (node.positions[number] == RecordStmt::kNoField) node.positions[number] = i;
     }
     if (node.name.empty()) return;
     node.slot = scope_->declare(node.name, node.name_span);
@@ -202,8 +206,8 @@ class Resolver {
   void assign_target(Expr& target, bool changes) {
     switch (target.kind) {
       case ExprKind::kIndex:
-        expression(*static_cast<IndexExpr&>(target).index);
-        return assign_target(*static_cast<IndexExpr&>(target).object, true);
+        assign_target(*static_cast<IndexExpr&>(target).object, true);
+        return expression(*static_cast<IndexExpr&>(target).index);
       case ExprKind::kField:
         return assign_target(object_of(static_cast<FieldExpr&>(target)), true);
       case ExprKind::kName:
@@ -305,6 +309,8 @@ class Resolver {
 
   void call(CallExpr& node) {
     expression(*node.callee);
+    node.by_position =
+        std::ranges::all_of(node.arguments, [](const Argument& argument) { return argument.name.empty(); });
     const std::vector<Parameter>* fields = record_fields(*node.callee);
     for (std::size_t i = 0; i < node.arguments.size(); ++i) {
       const Argument& argument = node.arguments[i];

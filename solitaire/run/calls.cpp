@@ -1,16 +1,12 @@
+#include "solitaire/run/calls.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
-#include "solitaire/run/walk.h"
 
 namespace solitaire {
 namespace {
-
-bool by_position(const CallExpr& site) {
-  return std::all_of(site.arguments.begin(), site.arguments.end(),
-                     [](const Argument& argument) { return argument.name.empty(); });
-}
 
 /// Names of other systems for what a builtin that takes extras calls otherwise.
 constexpr std::pair<std::string_view, std::string_view> kForeignParameters[] = {
@@ -36,25 +32,10 @@ bool is_assert(const Value& callee) {
 
 }  // namespace
 
-Value Walk::run(Choices& choices, Effects& effects, std::uint32_t levels) {
-  reset(effects, levels);
-  choices_ = &choices;
-  try {
-    return run_module(0);
-  } catch (const PathEnd&) {
-    return {};
-  }
-}
-
-Value Walk::run_module(std::uint32_t module) {
+Value Calls::run_module(std::uint32_t module) {
   module_done_[module] = true;
   const std::string& label = program_.modules[module].label;
-  Activation activation;
-  activation.function = &program_.top(module);
-  activation.frame = module_frames_[module];
-  activation.module = module;
-  activation.caller = current_;
-  activation.first_turn = turns_.size();
+  Activation activation = activation_of(module, nullptr);
   activation.address =
       label.empty() ? AddressTable::root() : addresses_.site(AddressTable::root(), addresses_.label(label));
   activation.has_address = true;
@@ -63,10 +44,11 @@ Value Walk::run_module(std::uint32_t module) {
 
 // ---- calls
 
-Value Walk::call(const CallExpr& node) {
-  const Value callee = expression(*node.callee);
+Value Calls::call(const CallExpr& node) {
+  Value storage;
+  const Value& callee = operand(*node.callee, storage);
   if (limits_.keep_going && is_assert(callee) && assert_apart(node)) return Value::nil();
-  if (!by_position(node)) return call_with_names(callee, node);
+  if (!node.by_position) return call_with_names(callee, node);
   if (const auto* builtin = callee.get<Value::BuiltinRef>()) return call_builtin(**builtin, node);
   if (const auto* closure = callee.object<Closure>(); closure != nullptr && !forks_)
     return call_closure(*closure, node);
@@ -74,7 +56,7 @@ Value Walk::call(const CallExpr& node) {
 }
 
 /// A call in general: the arguments are evaluated in their order, and then given to the parameters.
-Value Walk::call_with_names(const Value& callee, const CallExpr& site) {
+Value Calls::call_with_names(const Value& callee, const CallExpr& site) {
   std::vector<Value> positional;
   NamedValues named;
   // They become the variables of the function.
@@ -92,8 +74,8 @@ Value Walk::call_with_names(const Value& callee, const CallExpr& site) {
   return call_value(callee, site, std::move(positional), std::move(named));
 }
 
-Value Walk::call_value(const Value& callee, const CallExpr& site, std::vector<Value> positional,
-                       NamedValues named) {
+Value Calls::call_value(const Value& callee, const CallExpr& site, std::vector<Value> positional,
+                        NamedValues named) {
   if (callee.as_union() != nullptr) {
     return each_shape(callee, [&](const Value& one) { return call_value(one, site, positional, named); });
   }
@@ -104,8 +86,10 @@ Value Walk::call_value(const Value& callee, const CallExpr& site, std::vector<Va
   if (const Ref<Closure> closure = callee.share<Closure>()) {
     const Function& function = *closure->function;
     auto arguments = bind(function.name, function.parameters, site, std::move(positional), std::move(named));
-    if (is_shared(site)) return call_shared(closure, site, std::move(arguments));
-    return call_closure(*closure, site, std::move(arguments));
+    const auto run = [&](std::vector<Value> values) {
+      return call_closure(*closure, site, std::move(values));
+    };
+    return is_shared(site) ? call_once(closure, site, std::move(arguments), run) : run(std::move(arguments));
   }
   if (const auto* type = callee.object<RecordType>()) {
     return construct(*type, site,
@@ -117,8 +101,8 @@ Value Walk::call_value(const Value& callee, const CallExpr& site, std::vector<Va
 }
 
 /// The arguments in the order of the parameters; Unset where the default is to be taken.
-std::vector<Value> Walk::bind(const std::string& name, const std::vector<Parameter>& parameters,
-                              const CallExpr& site, std::vector<Value> positional, NamedValues named) {
+std::vector<Value> Calls::bind(const std::string& name, const std::vector<Parameter>& parameters,
+                               const CallExpr& site, std::vector<Value> positional, NamedValues named) {
   // Every call comes here, and hardly any needs the text.
   const auto shown = [&] { return name.empty() ? "this function" : fmt::format("'{}'", name); };
   if (positional.size() > parameters.size()) {
@@ -150,114 +134,114 @@ std::vector<Value> Walk::bind(const std::string& name, const std::vector<Paramet
   return arguments;
 }
 
-// ---- functions of the program
-
-Activation Walk::activation_of(const Closure& closure, const CallExpr& site) {
-  Activation activation;
-  activation.function = closure.function;
-  activation.frame = new_frame(*closure.function, closure.outer);
-  activation.module = closure.module;
-  activation.caller = current_;
-  activation.call = &site;
-  activation.first_turn = turns_.size();
-  return activation;
+/// Evaluates arguments that are all given by position into places that are Unset.
+void Calls::evaluate_arguments(const CallExpr& site, Value* places) {
+  for (const Argument& argument : site.arguments) new (places++) Value(expression(*argument.value));
 }
 
+// ---- functions of the program
+
 /// A call whose arguments are all given by position: they are evaluated into the function's variables.
-Value Walk::call_closure(const Closure& closure, const CallExpr& site) {
+Value Calls::call_closure(const Closure& closure, const CallExpr& site) {
   const std::vector<Parameter>& parameters = closure.function->parameters;
   const std::size_t count = site.arguments.size();
   if (count > parameters.size() || (count < parameters.size() && !parameters[count].default_value))
     return call_with_names(Ref<Closure>(const_cast<Closure*>(&closure)), site);  // to report what is wrong
   Activation activation = activation_of(closure, site);
-  for (std::size_t i = 0; i < count; ++i) activation.frame->slots[i] = expression(*site.arguments[i].value);
+  evaluate_arguments(site, activation.slots);
   step(site.span);
   set_defaults(activation, count, parameters.size());
-  Value result = run_body(activation);
-  recycle(std::move(activation.frame));
-  return result;
+  return run_body(activation);
 }
 
-Value Walk::call_closure(const Closure& closure, const CallExpr& site, std::vector<Value> arguments) {
+Value Calls::call_closure(const Closure& closure, const CallExpr& site, std::vector<Value> arguments) {
   Activation activation = activation_of(closure, site);
   // A default can use the parameters before it, so those behind it come after it.
-  std::vector<Value>& slots = activation.frame->slots;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].is<Value::Unset>()) {
       set_defaults(activation, i, i + 1);
     } else {
-      slots[i] = std::move(arguments[i]);
+      activation.slots[i] = std::move(arguments[i]);
     }
   }
-  Value result = run_body(activation);
-  recycle(std::move(activation.frame));
-  return result;
+  return run_body(activation);
 }
 
 /// Evaluates the defaults of the parameters from `first` on, up to `end`.
-void Walk::set_defaults(Activation& activation, std::size_t first, std::size_t end) {
+void Calls::set_defaults(Activation& activation, std::size_t first, std::size_t end) {
   if (first == end) return;
   Activation* const caller = std::exchange(current_, &activation);
   for (std::size_t i = first; i < end; ++i)
-    activation.frame->slots[i] = expression(*activation.function->parameters[i].default_value);
+    activation.slots[i] = expression(*activation.function->parameters[i].default_value);
   current_ = caller;
 }
 
 /// The variables that have to be kept where paths leave the function, for closures that refer to them.
-std::vector<Slot> Walk::slots_kept(const Activation& activation) const {
-  std::vector<Slot> slots;
-  if (!forks_ || !activation.function->captured) return slots;
-  slots.resize(activation.frame->slots.size());
-  for (Slot slot = 0; slot < slots.size(); ++slot) slots[slot] = slot;
-  return slots;
+std::span<const Slot> Calls::slots_kept(const Activation& activation) {
+  if (!forks_ || !activation.function->captured) return {};
+  return all_slots(*activation.function);
 }
 
 /// Runs an activation whose parameters are in its frame, up to where all its paths joined again.
-Value Walk::run_body(Activation& activation) {
-  const Checkpoint caller = checkpoint();
+Value Calls::run_body(Activation& activation) {
   Loop* const outer_loop = std::exchange(loop_, nullptr);
-  path_.enter_region();
-  activation.region = path_.region();
+  Value result = forks_ ? run_paths(activation) : run_path(activation);
+  loop_ = outer_loop;
+  return result;
+}
+
+void Calls::begin(Activation& activation) {
   current_ = &activation;
   ++depth_;
+}
+
+/// Runs its statements; returns whether its path comes to their end.
+bool Calls::run_statements(const Activation& activation) {
+  check_depth(activation.call != nullptr ? activation.call->span : activation.function->span);
+  return block(*activation.function->body);
+}
+
+/// Runs it where there is but one path. If that ends, so does the execution.
+Value Calls::run_path(Activation& activation) {
+  begin(activation);
+  const bool goes_on = run_statements(activation);
+  --depth_;
+  current_ = activation.caller;
+  return goes_on ? Value::nil() : std::move(activation.returns.value);
+}
+
+Value Calls::run_paths(Activation& activation) {
+  const Checkpoint caller = checkpoint();
+  path_.enter_region();
+  activation.region = path_.region();
+  begin(activation);
   const auto losses = path_.losses;
 
   bool goes_on = false;
   const Checkpoint start = checkpoint();
   try {
-    check_stack(activation.call != nullptr ? activation.call->span : activation.function->span);
-    goes_on = block(*activation.function->body);
+    goes_on = run_statements(activation);
   } catch (const PathEnd&) {
     unwind(start);
   }
   Exits& returns = activation.returns;
-  if (forks_ || !goes_on) {
-    const std::vector<Slot> slots = slots_kept(activation);
-    if (goes_on) add_exit(returns, path_.local(), slots, Value::nil());
-    if (returns.any) resume(returns, slots);
-  } else {
-    returns = {true, kTrue, {}, Value::nil()};
-  }
+  const std::span<const Slot> slots = slots_kept(activation);
+  if (goes_on) add_exit(returns, path_.local(), slots, Value::nil());
+  if (returns.any) resume(returns, slots);
 
   unwind(caller);
-  loop_ = outer_loop;
   path_.losses.returns = losses.returns;
   if (!returns.any) end_path();
   if (path_.losses.ends != losses.ends) path_.narrow(returns.guard);
   return std::move(returns.value);
 }
 
-Value Walk::construct(const RecordType& type, const CallExpr& site, std::vector<Value> arguments) {
+Value Calls::construct(const RecordType& type, const CallExpr& site, std::vector<Value> arguments) {
   const auto& fields = type.declaration->fields;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (!arguments[i].is<Value::Unset>()) continue;
-    Activation activation;  // defaults of fields are expressions of the file that declares the record
-    activation.function = &program_.top(type.module);
-    activation.frame = module_frames_[type.module];
-    activation.module = type.module;
-    activation.caller = current_;
-    activation.call = &site;
-    activation.first_turn = turns_.size();
+    // Defaults of fields are expressions of the file that declares the record.
+    Activation activation = activation_of(type.module, &site);
     activation.region = path_.region();
     Activation* caller = std::exchange(current_, &activation);
     arguments[i] = expression(*fields[i].default_value);
@@ -269,27 +253,30 @@ Value Walk::construct(const RecordType& type, const CallExpr& site, std::vector<
 // ---- builtins
 
 /// A call whose arguments are all given by position.
-Value Walk::call_builtin(const Builtin& builtin, const CallExpr& site) {
-  std::vector<Value> arguments = borrow_values();
-  for (const Argument& argument : site.arguments) arguments.push_back(expression(*argument.value));
-  step(site.span);
+Value Calls::call_builtin(const Builtin& builtin, const CallExpr& site) {
   const std::size_t parameters = builtin.parameters.size();
-  if (arguments.size() > parameters && !builtin.variadic)
-    return call_builtin(builtin, site, std::move(arguments), {});  // to report it
-  if (arguments.size() < parameters) arguments.resize(parameters);
-  check_required(builtin, site, arguments);
-  Value result = builtin.call(*this, {arguments, site, {}});
-  give_back(std::move(arguments));
-  return result;
+  const std::size_t given = site.arguments.size();
+  const std::size_t count = std::max(given, parameters);
+  const ValueStack::Room room(values_, count);
+  evaluate_arguments(site, room.data());
+  step(site.span);
+  if (given > parameters && !builtin.variadic) too_many_arguments(builtin, site, given);
+  const std::span<const Value> arguments(room.data(), count);
+  if (given < builtin.required) check_required(builtin, site, arguments);
+  return builtin.call(*this, {arguments, site, {}});
 }
 
-Value Walk::call_builtin(const Builtin& builtin, const CallExpr& site, std::vector<Value> positional,
-                         NamedValues named) {
+void Calls::too_many_arguments(const Builtin& builtin, const CallExpr& site, std::size_t given) {
   const std::size_t parameters = builtin.parameters.size();
-  if (positional.size() > parameters && !builtin.variadic) {
-    program_error(site.span, fmt::format("'{}' takes {} argument{}, here are {}", builtin.name, parameters,
-                                         parameters == 1 ? "" : "s", positional.size() + named.size()));
-  }
+  program_error(site.span, fmt::format("'{}' takes {} argument{}, here are {}", builtin.name, parameters,
+                                       parameters == 1 ? "" : "s", given));
+}
+
+Value Calls::call_builtin(const Builtin& builtin, const CallExpr& site, std::vector<Value> positional,
+                          NamedValues named) {
+  const std::size_t parameters = builtin.parameters.size();
+  if (positional.size() > parameters && !builtin.variadic)
+    too_many_arguments(builtin, site, positional.size() + named.size());
   std::vector<Value> arguments = std::move(positional);
   arguments.resize(std::max(arguments.size(), parameters));
   std::vector<std::pair<std::string_view, Value>> extras;
@@ -317,12 +304,39 @@ Value Walk::call_builtin(const Builtin& builtin, const CallExpr& site, std::vect
   return builtin.call(*this, {arguments, site, extras});
 }
 
-void Walk::check_required(const Builtin& builtin, const CallExpr& site, std::span<const Value> arguments) {
+void Calls::check_required(const Builtin& builtin, const CallExpr& site, std::span<const Value> arguments) {
   for (std::size_t i = 0; i < builtin.required; ++i) {
     if (!arguments[i].is<Value::Unset>()) continue;
     program_error(site.span,
                   fmt::format("'{}' needs an argument for '{}'", builtin.name, builtin.parameters[i]));
   }
+}
+
+// ---- asserts that are taken apart
+
+/// Runs an assert whose conjuncts are looked at one by one; false if its arguments are not as they should be.
+bool Calls::assert_apart(const CallExpr& node) {
+  const auto& given = node.arguments;
+  if (!node.by_position || given.empty() || given.size() > 2) return false;
+  std::string message;
+  if (given.size() == 2) {
+    const Value why = expression(*given[1].value);
+    check_message(why, given[1].value->span);
+    message = message_of(why);
+  }
+  assert_conjuncts(*given[0].value, given[0].value->span, message);
+  return true;
+}
+
+void Calls::assert_conjuncts(const Expr& condition, Span whole, const std::string& message) {
+  if (condition.kind == ExprKind::kLogical) {
+    const auto& logical = static_cast<const LogicalExpr&>(condition);
+    if (logical.is_and) {
+      assert_conjuncts(*logical.left, whole, message);
+      return assert_conjuncts(*logical.right, whole, message);
+    }
+  }
+  note_broken(truth_apart([&] { return tested(condition); }), condition.span, whole, &message);
 }
 
 }  // namespace solitaire

@@ -1,13 +1,11 @@
 #pragma once
 #include <array>
 #include <optional>
-#include <set>
-#include <unordered_map>
+#include <span>
+#include <utility>
+#include <vector>
 
-#include "solitaire/run/effects.h"
-#include "solitaire/run/evaluator.h"
-#include "solitaire/run/machine.h"
-#include "solitaire/run/path.h"
+#include "solitaire/run/path_ends.h"
 #include "solitaire/value/merge.h"
 
 namespace solitaire {
@@ -25,26 +23,8 @@ struct Loop {
 ///
 /// A condition that is known leads one way, and then nothing here costs more than in a plain interpreter. One
 /// that is not leads both ways: each side runs on a state of its own, and what they leave behind is merged.
-class Control : public Machine {
+class Control : public PathEnds {
  public:
-  Graph& graph() { return *graph_; }
-  Effects& effects() { return *effects_; }
-  /// Counts work, and ends the path or the evaluation at a limit.
-  void step(Span span, std::uint64_t count = 1) {
-    total_steps_ += count;
-    path_.steps += count;
-    if (total_steps_ >= next_check_ || path_.steps > limits_.max_steps || forks_) check_steps(span, count);
-  }
-  /// The path ends here without a reason of its own: everything below it ended.
-  [[noreturn]] void end_path();
-  /// The program is wrong on this path.
-  [[noreturn]] void program_error(Span span, const std::string& message, const std::string& help = "");
-  /// The program may be right here, but a symbolic pass cannot go on.
-  [[noreturn]] void unsupported(Span span, const std::string& message, const std::string& help = "");
-  /// Returns true if only some executions come here.
-  bool guarded() const { return path_.guarded(); }
-  /// graph().apply, with what it throws turned into errors of the program.
-  NodeId apply(Op op, std::initializer_list<NodeId> operands, Span span);
   /// The execution goes where the condition, which is known, leads; notes it if the condition is traced.
   bool follow(const Value& condition, Span span) {
     if (condition.traced()) effects_->followed(condition, span);
@@ -72,8 +52,7 @@ class Control : public Machine {
   }
 
  protected:
-  Control(const Program& program, const ParamValues& params, AddressTable& addresses, const Limits& limits,
-          Graph* graph, Branches* branches);
+  using PathEnds::PathEnds;
 
   /// Forgets the last execution.
   void reset(Effects& effects, std::uint32_t levels);
@@ -88,11 +67,26 @@ class Control : public Machine {
   };
   Checkpoint checkpoint() const;
   void unwind(const Checkpoint& checkpoint);
-  void check_stack(Span span);
-  /// Ends the path if the condition depends on floats and nobody can tell when it holds.
-  void check_condition(NodeId condition, Span span);
   /// The condition, or true or false if the path settles it.
-  Value settle(const Value& condition) const;
+  Value settle(const Value& condition) const {
+    const Symbol* symbol = condition.get<Symbol>();
+    const auto settled = symbol != nullptr ? path_.facts.decide(symbol->node) : std::nullopt;
+    return settled ? Value(*settled) : condition;
+  }
+  /// The side on which every execution that comes here goes on, which is noted; nothing if there may be two.
+  std::optional<bool> side_of(const Value& condition, const Site& site, Span span) {
+    const bool* known = condition.plain<bool>();
+    if (known == nullptr) return open_side(condition, site, span);
+    note_taken(site, *known);
+    return *known;
+  }
+  /// The path leaves a construct that began as the region of that number, and comes to its exits with the
+  /// values of those variables.
+  void leave(Exits& exits, std::size_t region, std::span<const Slot> slots, Value value) {
+    if (forks_) return add_exit(exits, path_.guard_since(region), slots, std::move(value));
+    exits.any = true;
+    exits.value = std::move(value);
+  }
   void add_exit(Exits& exits, NodeId guard, std::span<const Slot> slots, Value value);
   void resume(Exits& exits, std::span<const Slot> slots);
   /// Tells the observer of a side that an execution takes.
@@ -100,14 +94,7 @@ class Control : public Machine {
     if (branches_ != nullptr && !forks_ && site.label != kNoLabel) report_taken(site, condition);
   }
 
-  Limits limits_;
-  Graph* graph_;  // null where nothing is symbolic or traced
-  Branches* branches_;
-  Effects* effects_ = nullptr;
-  bool forks_ = false;  // whether there can be more than one path
-  Path path_;
   Loop* loop_ = nullptr;
-  std::uint64_t total_steps_ = 0;
 
  private:
   struct State;  // of the variables and the path, where branches fork
@@ -117,14 +104,10 @@ class Control : public Machine {
   bool join(std::span<const NodeId> guards, std::vector<std::optional<State>>& ends, const State& before,
             std::span<const Slot> assigned, Value& value);
   void enter_side(const Site& site, BranchSide::Kind kind, Span span);
+  std::optional<bool> open_side(const Value& condition, const Site& site, Span span);
   void report_taken(const Site& site, bool condition);
-  void check_steps(Span span, std::uint64_t count);
-  void cut(Span span);
   template <class Function>
   Value each_alternative(const Value& value, Function f);
-
-  std::uint64_t next_check_ = 0;       // of the stop signal, in steps
-  const char* stack_limit_ = nullptr;  // addresses below it are too close to the stack's end
 };
 
 /// The variables of the running function that a part of it assigns, and the path, at a point where branches
@@ -165,13 +148,8 @@ bool Control::split(std::span<const NodeId> guards, std::span<const Slot> assign
 template <class Then, class Else>
 bool Control::branch(const Value& condition, const Site& site, Span span, std::span<const Slot> assigned,
                      Value& value, Then then_part, Else else_part) {
-  const Value settled = settle(condition);
-  if (settled.is<bool>()) {
-    const bool holds = follow(settled, span);
-    note_taken(site, holds);
-    return holds ? then_part(value) : else_part(value);
-  }
-  const NodeId node = node_of(*graph_, settled);
+  if (const auto side = side_of(condition, site, span)) return *side ? then_part(value) : else_part(value);
+  const NodeId node = node_of(*graph_, condition);
   check_condition(node, span);
   const std::array guards = {node, graph_->negation(node)};
   return split(guards, assigned, value, [&](std::size_t side, Value& made) {
@@ -184,6 +162,7 @@ bool Control::branch(const Value& condition, const Site& site, Span span, std::s
 template <class Then, class Else>
 Value Control::choose_side(const Value& condition, const Site& site, Span span,
                            std::span<const Slot> assigned, Then then_value, Else else_value) {
+  if (const auto side = side_of(condition, site, span)) return *side ? then_value() : else_value();
   Value value;
   const bool goes_on = branch(
       condition, site, span, assigned, value, [&](Value& made) { return made = then_value(), true; },

@@ -40,42 +40,28 @@ void Machine::reset() {
     module_frames_[module] = new_frame(program_.top(module), {});
     module_done_[module] = false;
   }
-  root_.frame = module_frames_[0];
+  root_.slots = module_frames_[0]->slots.data();
   current_ = &root_;
 }
 
 Ref<Frame> Machine::new_frame(const Function& function, const Ref<Frame>& outer) {
-  Ref<Frame> frame;
-  if (free_frames_.empty()) {
-    frame = make_ref<Frame>(std::vector<Value>(), outer, frames_made_++);
-  } else {
-    frame = std::move(free_frames_.back());
-    free_frames_.pop_back();
-    frame->outer = outer;
-    frame->serial = frames_made_++;
-  }
-  frame->slots.resize(function.slots.size());
+  Ref<Frame> frame = make_ref<Frame>(std::vector<Value>(function.slots.size()), outer, frames_made_++);
   if (function.captured) captured_frames_.push_back(frame);
   return frame;
 }
 
-void Machine::recycle(Ref<Frame> frame) {
-  if (!frame.unique()) return;
-  frame->slots.clear();
-  frame->outer = {};
-  free_frames_.push_back(std::move(frame));
+Activation Machine::activation_of(std::uint32_t module, const CallExpr* site) {
+  Activation made(program_.top(module), {}, module_frames_[module]);
+  made.module = module;
+  made.caller = current_;
+  made.call = site;
+  made.first_turn = turns_.size();
+  return made;
 }
 
-std::vector<Value> Machine::borrow_values() {
-  if (free_values_.empty()) return {};
-  std::vector<Value> values = std::move(free_values_.back());
-  free_values_.pop_back();
-  return values;
-}
-
-void Machine::give_back(std::vector<Value> values) {
-  values.clear();
-  free_values_.push_back(std::move(values));
+std::span<const Slot> Machine::all_slots(const Function& function) {
+  while (slots_.size() < function.slots.size()) slots_.push_back(static_cast<Slot>(slots_.size()));
+  return std::span(slots_).first(function.slots.size());
 }
 
 AddressTable::LabelId Machine::label(const Site& site) {

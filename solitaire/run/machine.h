@@ -1,11 +1,14 @@
 #pragma once
+#include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solitaire/names/program.h"
 #include "solitaire/run/execution.h"
 #include "solitaire/run/params.h"
+#include "solitaire/run/value_stack.h"
 #include "tracegraph/address.h"
 
 namespace solitaire {
@@ -21,8 +24,17 @@ struct Exits {
 
 /// A running call.
 struct Activation {
+  Activation() = default;
+  Activation(const Function& called, ValueStack::Room for_slots, Ref<Frame> for_closures)
+      : function(&called), room(std::move(for_slots)), frame(std::move(for_closures)) {
+    slots = frame ? frame->slots.data() : room.data();
+  }
+
   const Function* function = nullptr;
-  Ref<Frame> frame;
+  ValueStack::Room room;
+  Ref<Frame> frame;              // if closures can refer to its variables
+  Value* slots = nullptr;        // its variables: in `frame` if it has one, else in `room`
+  const Frame* outer = nullptr;  // of the function around
   std::uint32_t module = 0;
   Activation* caller = nullptr;
   const CallExpr* call = nullptr;  // where the caller called, or null
@@ -58,16 +70,15 @@ class Machine {
 
   /// Forgets the last execution.
   void reset();
-  /// A frame of the function, for which its parameters' values are still to be set.
-  Ref<Frame> new_frame(const Function& function, const Ref<Frame>& outer);
-  /// Keeps a frame that no closure refers to for later calls.
-  void recycle(Ref<Frame> frame);
-  /// A vector without elements, and with room for some; give_back() keeps it for later calls.
-  std::vector<Value> borrow_values();
-  void give_back(std::vector<Value> values);
+  /// A call of a closure by the running function, for which the parameters' values are still to be set. The
+  /// closure has to live as long.
+  Activation activation_of(const Closure& closure, const CallExpr& site);
+  /// The top level of a file, called from a site or, where that is null, by the program that imports it.
+  Activation activation_of(std::uint32_t module, const CallExpr* site);
+  /// The numbers of all variables of a function.
+  std::span<const Slot> all_slots(const Function& function);
 
-  Frame& frame() { return *current_->frame; }
-  Value& slot(Slot slot) { return current_->frame->slots[slot]; }
+  Value& slot(Slot slot) { return current_->slots[slot]; }
   /// The turns of the loops around the point where the running function is.
   std::span<const std::uint32_t> turns() const { return std::span(turns_).subspan(current_->first_turn); }
   AddressId activation_address(Activation& activation);
@@ -89,16 +100,29 @@ class Machine {
   std::uint32_t frames_made_ = 0;
   std::vector<Ref<Frame>> module_frames_;
   std::vector<bool> module_done_;
+  ValueStack values_;
 
  private:
   std::uint32_t call_record(Activation& activation);
   void clear_frames();
+  Ref<Frame> new_frame(const Function& function, const Ref<Frame>& outer);
 
-  std::vector<Ref<Frame>> captured_frames_;  // cleared at the end: closures in them refer back to them
-  std::vector<Ref<Frame>> free_frames_;
-  std::vector<std::vector<Value>> free_values_;
+  std::vector<Ref<Frame>> captured_frames_;    // cleared at the end: closures in them refer back to them
+  std::vector<Slot> slots_;                    // 0, 1, 2, ...: see all_slots()
   std::vector<AddressTable::LabelId> labels_;  // by a site's label, once it has been asked for
   std::vector<CallRecord> calls_;
 };
+
+inline Activation Machine::activation_of(const Closure& closure, const CallExpr& site) {
+  const Function& function = *closure.function;
+  Activation made(function, {values_, function.captured ? 0 : function.slots.size()},
+                  function.captured ? new_frame(function, closure.outer) : Ref<Frame>());
+  made.outer = closure.outer.get();
+  made.module = closure.module;
+  made.caller = current_;
+  made.call = &site;
+  made.first_turn = turns_.size();
+  return made;
+}
 
 }  // namespace solitaire

@@ -2,37 +2,41 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace solitaire {
 namespace {
 
-struct Arithmetic {
-  BinaryOp op;
+/// What a binary operator means on numbers: an operation of the table, its operands swapped or its result
+/// negated.
+struct BinaryMeaning {
   const char* symbol;
   Op on_ints;
   std::optional<Op> on_floats;
+  bool swapped = false;
+  bool negated = false;
 };
 
-constexpr Arithmetic kArithmetic[] = {
-    {BinaryOp::kAdd, "+", Op::kAdd, Op::kAddFloat},      {BinaryOp::kSubtract, "-", Op::kSub, Op::kSubFloat},
-    {BinaryOp::kMultiply, "*", Op::kMul, Op::kMulFloat}, {BinaryOp::kDivide, "/", Op::kDiv, Op::kDivFloat},
-    {BinaryOp::kModulo, "%", Op::kMod, std::nullopt},
+constexpr bool kSwapped = true;
+constexpr bool kNegated = true;
+
+/// In the order of BinaryOp, up to the comparisons.
+constexpr BinaryMeaning kMeanings[] = {
+    {"+", Op::kAdd, Op::kAddFloat},
+    {"-", Op::kSub, Op::kSubFloat},
+    {"*", Op::kMul, Op::kMulFloat},
+    {"/", Op::kDiv, Op::kDivFloat},
+    {"%", Op::kMod, std::nullopt},
+    {"==", Op::kEqInt, Op::kEqFloat},
+    {"!=", Op::kEqInt, Op::kEqFloat, !kSwapped, kNegated},
+    {"<", Op::kLtInt, Op::kLtFloat},
+    {"<=", Op::kLeInt, Op::kLeFloat},
+    {">", Op::kLtInt, Op::kLtFloat, kSwapped},
+    {">=", Op::kLeInt, Op::kLeFloat, kSwapped},
 };
+static_assert(std::size(kMeanings) == static_cast<std::size_t>(BinaryOp::kGreaterEqual) + 1);
 
-const Arithmetic& arithmetic_of(BinaryOp op) { return kArithmetic[static_cast<std::size_t>(op)]; }
-
-const char* comparison_symbol(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::kLess:
-      return "<";
-    case BinaryOp::kLessEqual:
-      return "<=";
-    case BinaryOp::kGreater:
-      return ">";
-    default:
-      return ">=";
-  }
-}
+const BinaryMeaning& meaning_of(BinaryOp op) { return kMeanings[static_cast<std::size_t>(op)]; }
 
 bool constant(const Value& value) { return !value.is<Symbol>(); }
 bool is_scalar(const Value& value) { return value.has_type(Type::kBool) || value.is_number(); }
@@ -75,9 +79,38 @@ constexpr std::uint32_t kDeepestValue = 500;
 
 }  // namespace
 
+// ---- binary operators
+
+Value Operators::on_ints(BinaryOp op, std::int64_t a, std::int64_t b, Span span) {
+  const BinaryMeaning& meaning = meaning_of(op);
+  const Operation& row = operation(meaning.on_ints);
+  const Scalar operands[] = {Scalar::of(meaning.swapped ? b : a), Scalar::of(meaning.swapped ? a : b)};
+  const auto result = row.fold(operands);
+  if (!result && b == 0) reject(ConstraintKind::kDivisor, span);  // nothing else lacks a value for 0
+  if (!result) too_large(span);
+  if (row.result == Type::kBool) return (result->i != 0) != meaning.negated;
+  return result->i;
+}
+
+Value Operators::on_values(BinaryOp op, const Value& a, const Value& b, Span span) {
+  switch (op) {
+    case BinaryOp::kEqual:
+      return equal(a, b, span);
+    case BinaryOp::kNotEqual:
+      return invert(equal(a, b, span));
+    case BinaryOp::kLess:
+    case BinaryOp::kLessEqual:
+    case BinaryOp::kGreater:
+    case BinaryOp::kGreaterEqual:
+      return compare(op, a, b, span);
+    default:
+      return arithmetic(op, a, b, span);
+  }
+}
+
 // ---- operations of the table
 
-Value Operators::operate(Op op, std::span<const Value> operands, Span span) {
+Value Operators::on_table(Op op, std::span<const Value> operands, Span span) {
   bool all_constant = true;
   bool any_traced = false;
   for (const Value& operand : operands) {
@@ -148,8 +181,7 @@ Value Operators::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, 
   if (a.as_list() != nullptr || b.as_list() != nullptr)
     help = "put an element into brackets to join it to a list: xs + [x]";
   program_error(
-      span,
-      fmt::format("'{}' does not go with {} and {}", arithmetic_of(op).symbol, describe(a), describe(b)),
+      span, fmt::format("'{}' does not go with {} and {}", meaning_of(op).symbol, describe(a), describe(b)),
       op == BinaryOp::kAdd ? help : "");
 }
 
@@ -163,7 +195,7 @@ Value Operators::int_arithmetic(BinaryOp op, const Value& a, const Value& b, Spa
       reject(ConstraintKind::kDivisor, span);
     }
   }
-  return int_operation(arithmetic_of(op).on_ints, a, b, span);
+  return int_operation(meaning_of(op).on_ints, a, b, span);
 }
 
 Value Operators::to_float(const Value& number, Span span) {
@@ -172,7 +204,7 @@ Value Operators::to_float(const Value& number, Span span) {
 }
 
 Value Operators::float_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
-  const Arithmetic& row = arithmetic_of(op);
+  const BinaryMeaning& row = meaning_of(op);
   if (!row.on_floats) {
     program_error(span,
                   fmt::format("'{}' is for ints, here are {} and {}", row.symbol, describe(a), describe(b)));
@@ -214,21 +246,20 @@ Value Operators::compare(BinaryOp op, const Value& a, const Value& b, Span span)
     });
   }
   if (!a.is_number() || !b.is_number()) {
-    program_error(span, fmt::format("'{}' compares numbers, here are {} and {}", comparison_symbol(op),
+    program_error(span, fmt::format("'{}' compares numbers, here are {} and {}", meaning_of(op).symbol,
                                     describe(a), describe(b)));
   }
-  const bool swapped = op == BinaryOp::kGreater || op == BinaryOp::kGreaterEqual;
-  const bool strict = op == BinaryOp::kLess || op == BinaryOp::kGreater;
-  const Value& left = swapped ? b : a;
-  const Value& right = swapped ? a : b;
-  if (left.has_type(Type::kInt) && right.has_type(Type::kInt)) {
-    return int_operation(strict ? Op::kLtInt : Op::kLeInt, left, right, span);
-  }
+  const BinaryMeaning& meaning = meaning_of(op);
+  const Value& left = meaning.swapped ? b : a;
+  const Value& right = meaning.swapped ? a : b;
+  if (left.has_type(Type::kInt) && right.has_type(Type::kInt))
+    return int_operation(meaning.on_ints, left, right, span);
+  const bool strict = meaning.on_ints == Op::kLtInt;
   if (const double* known = right.plain<double>(); known != nullptr && left.has_type(Type::kInt))
     return int_below(left, *known, strict, span);
   if (const double* known = left.plain<double>(); known != nullptr && right.has_type(Type::kInt))
     return int_above(right, *known, strict, span);
-  return binary(strict ? Op::kLtFloat : Op::kLeFloat, to_float(left, span), to_float(right, span), span);
+  return binary(*meaning.on_floats, to_float(left, span), to_float(right, span), span);
 }
 
 Value Operators::equal(const Value& a, const Value& b, Span span) {
@@ -288,23 +319,7 @@ Value Operators::int_above(const Value& a, double b, bool strict, Span span) {
 
 // ---- conditions and selection
 
-Value Operators::invert(const Value& condition) {
-  if (const bool* known = condition.plain<bool>()) return !*known;
-  return unary(Op::kNot, condition, {});
-}
-
-Value Operators::both(const Value& a, const Value& b) {
-  if (const bool* known = a.plain<bool>()) return *known ? b : a;
-  if (const bool* known = b.plain<bool>()) return *known ? a : b;
-  return binary(Op::kAnd, a, b, {});
-}
-
-Value Operators::either(const Value& a, const Value& b) {
-  if (const bool* known = a.plain<bool>()) return *known ? a : b;
-  return invert(both(invert(a), invert(b)));
-}
-
-Value Operators::select(const Value& condition, const Value& a, const Value& b, Span span) {
+Value Operators::select_open(const Value& condition, const Value& a, const Value& b, Span span) {
   const bool* known = condition.get<bool>();
   if (known == nullptr) return merge(*graph_, node_of(*graph_, condition), a, b);
   const Value& selected = *known ? a : b;

@@ -1,4 +1,8 @@
 #pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "solitaire/run/constraints.h"
 
 namespace solitaire {
@@ -7,20 +11,39 @@ namespace solitaire {
 /// the graph, and on constants that carry nodes. What an operation means stands in the table of operations.
 class Operators : public Constraints {
  public:
+  /// What a binary operator other than a..b gives.
+  Value operate(BinaryOp op, const Value& a, const Value& b, Span span) {
+    const std::int64_t* x = a.plain<std::int64_t>();
+    const std::int64_t* y = b.plain<std::int64_t>();
+    return x != nullptr && y != nullptr ? on_ints(op, *x, *y, span) : on_values(op, a, b, span);
+  }
   Value arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
   Value negated(const Value& value, Span span);
   Value compare(BinaryOp op, const Value& a, const Value& b, Span span);
   /// Structural equality, as a bool. It takes a step for each pair of members, which count at `span`.
   Value equal(const Value& a, const Value& b, Span span = {});
-  Value invert(const Value& condition);
+  Value invert(const Value& condition) {
+    if (const bool* known = condition.plain<bool>()) return !*known;
+    return unary(Op::kNot, condition, {});
+  }
   Value opaque_string(Span span);
   /// For what needs to know what a string says.
   void check_known(const Value& text);
   /// The conjunction of two bools that are no unions.
-  Value both(const Value& a, const Value& b);
-  Value either(const Value& a, const Value& b);
+  Value both(const Value& a, const Value& b) {
+    if (const bool* known = a.plain<bool>()) return *known ? b : a;
+    if (const bool* known = b.plain<bool>()) return *known ? a : b;
+    return binary(Op::kAnd, a, b, {});
+  }
+  Value either(const Value& a, const Value& b) {
+    if (const bool* known = a.plain<bool>()) return *known ? a : b;
+    return invert(both(invert(a), invert(b)));
+  }
   /// `a` if the condition, a bool, holds, else `b`; both have been evaluated.
-  Value select(const Value& condition, const Value& a, const Value& b, Span span);
+  Value select(const Value& condition, const Value& a, const Value& b, Span span) {
+    if (const bool* known = condition.plain<bool>()) return *known ? a : b;
+    return select_open(condition, a, b, span);
+  }
   /// The value, for a use that depends on what exactly it is: a traced execution is one of those in which it
   /// is the same.
   const Value& fixed(const Value& value, Span span);
@@ -29,10 +52,10 @@ class Operators : public Constraints {
   Value to_float(const Value& number, Span span);
   Value make_list(std::vector<Value> items, Span span);
   /// An operation on numbers of its operand type.
-  Value unary(Op op, const Value& value, Span span) { return operate(op, {&value, 1}, span); }
+  Value unary(Op op, const Value& value, Span span) { return on_table(op, {&value, 1}, span); }
   Value binary(Op op, const Value& a, const Value& b, Span span) {
     const Value operands[] = {a, b};
-    return operate(op, operands, span);
+    return on_table(op, operands, span);
   }
 
  protected:
@@ -54,10 +77,13 @@ class Operators : public Constraints {
   }
 
  private:
+  Value on_ints(BinaryOp op, std::int64_t a, std::int64_t b, Span span);
+  Value on_values(BinaryOp op, const Value& a, const Value& b, Span span);
+  Value select_open(const Value& condition, const Value& a, const Value& b, Span span);
   Value arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, Span span);
   Value int_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
   Value float_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
-  Value operate(Op op, std::span<const Value> operands, Span span);
+  Value on_table(Op op, std::span<const Value> operands, Span span);
   Value fold(Op op, std::span<const Value> operands, Span span);
   NodeId node_of_operation(Op op, std::span<const Value> operands, Span span);
   std::vector<Value> select_members(const Value& condition, const std::vector<Value>& a,

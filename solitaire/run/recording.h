@@ -1,7 +1,7 @@
 #pragma once
 #include "solitaire/run/effects.h"
-#include "solitaire/run/evaluator.h"
 #include "solitaire/run/path.h"
+#include "solitaire/run/symbolic_pass.h"
 
 namespace solitaire {
 

@@ -1,10 +1,17 @@
-#include <fmt/format.h>
-
 #include "solitaire/run/walk.h"
 
 namespace solitaire {
 
-/// Every statement returns whether the path goes on behind it.
+Value Walk::run(Choices& choices, Effects& effects, std::uint32_t levels) {
+  reset(effects, levels);
+  choices_ = &choices;
+  try {
+    return run_module(0);
+  } catch (const PathEnd&) {
+    return {};
+  }
+}
+
 bool Walk::statement(const Stmt& node) {
   step(node.span);
   switch (node.kind) {
@@ -46,39 +53,12 @@ bool Walk::statement(const Stmt& node) {
   return true;
 }
 
-bool Walk::block(const BlockStmt& node) {
-  for (const StmtPtr& child : node.statements) {
-    if (!statement(*child)) return false;
-  }
-  return true;
-}
-
 bool Walk::if_statement(const IfStmt& node) {
   Value unused;
   return branch(
       tested(*node.condition), node.site, node.condition->span, node.assigned, unused,
       [&](Value&) { return statement(*node.then_body); },
       [&](Value&) { return node.else_body == nullptr || statement(*node.else_body); });
-}
-
-void Walk::assignment(const AssignStmt& node) {
-  if (node.op) {
-    const Expr& target = *node.targets.front();
-    const Value amount = expression(*node.values.front());
-    const Span span = cover(target.span, node.values.front()->span);
-    if (target.kind == ExprKind::kName)
-      return assign(target, arithmetic(*node.op, expression(target), amount, span));
-    return change(target, [&](Value& place) { place = arithmetic(*node.op, place, amount, span); });
-  }
-  if (node.targets.size() == 1) return assign(*node.targets.front(), expression(*node.values.front()));
-  if (node.values.size() == 1) {
-    const Value value = expression(*node.values.front());
-    return take_apart(value, node.targets.size(), node.values.front()->span,
-                      [&](std::size_t i, Value part) { assign(*node.targets[i], std::move(part)); });
-  }
-  std::vector<Value> values;  // all of them first, so that a, b = b, a swaps
-  for (const ExprPtr& value : node.values) values.push_back(expression(*value));
-  for (std::size_t i = 0; i < values.size(); ++i) assign(*node.targets[i], std::move(values[i]));
 }
 
 bool Walk::return_statement(const ReturnStmt& node) {
@@ -91,17 +71,17 @@ bool Walk::return_statement(const ReturnStmt& node) {
     value = make_list(std::move(values), node.span);
   }
   if (current_->call == nullptr) count_parts(value, node.span);  // all of a solution's value is written
-  add_exit(current_->returns, path_.guard_since(current_->region), slots_kept(*current_), std::move(value));
+  leave(current_->returns, current_->region, slots_kept(*current_), std::move(value));
   ++path_.losses.returns;
   return false;
 }
 
 bool Walk::jump(const Stmt& node) {
   if (node.kind == StmtKind::kBreak) {
-    add_exit(loop_->breaks, path_.guard_since(loop_->region), loop_->assigned, {});
+    leave(loop_->breaks, loop_->region, loop_->assigned, {});
     ++path_.losses.breaks;
   } else {
-    add_exit(loop_->continues, path_.guard_since(loop_->turn_region), loop_->assigned, {});
+    leave(loop_->continues, loop_->turn_region, loop_->assigned, {});
     ++path_.losses.continues;
   }
   return false;
@@ -111,48 +91,6 @@ void Walk::param(const ParamStmt& node) {
   const Value usual = expression(*node.value);
   const auto set = params_.find(node.name);
   slot(node.slot) = set == params_.end() ? usual : set->second;
-}
-
-// ---- what an assignment changes
-
-void Walk::assign(const Expr& target, Value value) {
-  if (target.kind == ExprKind::kName) {
-    slot(static_cast<const NameExpr&>(target).binding.slot) = std::move(value);
-    return;
-  }
-  change(target, [&](Value& place) { place = value; });
-}
-
-/// Evaluates the target's indices, once, and changes what it stands for.
-void Walk::change(const Expr& target, const Change& change) {
-  std::vector<Value> indices;  // evaluated before anything changes, innermost last
-  for (const Expr* at = &target; at->kind != ExprKind::kName;) {
-    if (at->kind == ExprKind::kIndex) {
-      const auto& index = static_cast<const IndexExpr&>(*at);
-      indices.insert(indices.begin(), expression(*index.index));
-      at = index.object.get();
-    } else {
-      at = static_cast<const FieldExpr&>(*at).object.get();
-    }
-  }
-  update(target, indices, change);
-}
-
-/// Changes what the target stands for in place: the variable's value is only copied where others share it.
-void Walk::update(const Expr& target, std::span<const Value> indices, const Change& change) {
-  if (target.kind == ExprKind::kName) {
-    const auto& name = static_cast<const NameExpr&>(target);
-    Value& variable = slot(name.binding.slot);
-    if (variable.is<Value::Unset>() || variable.as_union() != nullptr)
-      variable = read(frame(), name.binding.slot, name);
-    return change(variable);
-  }
-  if (target.kind == ExprKind::kIndex) {
-    return update(*static_cast<const IndexExpr&>(target).object, indices.first(indices.size() - 1),
-                  [&](Value& object) { update_element(object, indices.back(), target.span, change); });
-  }
-  const auto& access = static_cast<const FieldExpr&>(target);
-  update(*access.object, indices, [&](Value& object) { update_field(object, access, change); });
 }
 
 }  // namespace solitaire

@@ -8,6 +8,9 @@
 namespace solitaire {
 namespace {
 
+/// How many elements a..b may have as a value where its length depends on choices.
+constexpr std::int64_t kLongestChosenRange = 4096;
+
 std::string field_help(const RecordStmt& type, const std::string& name) {
   std::vector<std::string> names;
   std::string all;
@@ -64,6 +67,59 @@ void Structures::count_largest(const Union& several, Span span) {
 
 void Structures::needs_list(const Value& value, const char* user, Span span) {
   program_error(span, fmt::format("'{}' needs a list, not {}", user, describe(value)));
+}
+
+// ---- ranges
+
+Value Structures::up_to(const Value& first, const Value& last, Span span) {
+  if (first.as_union() != nullptr || last.as_union() != nullptr) {
+    return each_shape(first, [&](const Value& a) {
+      return each_shape(last, [&](const Value& b) { return up_to(a, b, span); });
+    });
+  }
+  if (!first.has_type(Type::kInt) || !last.has_type(Type::kInt)) {
+    program_error(span,
+                  fmt::format("'..' needs two ints, here are {} and {}", describe(first), describe(last)));
+  }
+  if (first.is<Symbol>() || last.is<Symbol>()) return chosen_range(first, last, span);
+  const std::int64_t begin = *first.get<std::int64_t>();
+  const std::int64_t end = *last.get<std::int64_t>();
+  if (end >= begin) step(span, static_cast<std::uint64_t>(end - begin));
+  if (first.traced() || last.traced()) {
+    const Value length = int_operation(Op::kSub, last, first, span);
+    follow(int_operation(Op::kEqInt, length, end - begin, span), span);
+  }
+  std::vector<Value> items;
+  if (end >= begin) items.reserve(static_cast<std::size_t>(end - begin) + 1);
+  for (std::int64_t i = begin; i <= end; ++i)
+    items.push_back(int_operation(Op::kAdd, first, i - begin, span));
+  return make_list(std::move(items), span);
+}
+
+/// a..b where its length depends on choices: a list of each length that it can have.
+Value Structures::chosen_range(const Value& first, const Value& last, Span span) {
+  const NodeId begin = node_of(*graph_, first);
+  const NodeId length = apply(
+      Op::kAdd, {apply(Op::kSub, {node_of(*graph_, last), begin}, span), graph_->constant(std::int64_t{1})},
+      span);
+  const Interval lengths = graph_->node(length).interval;
+  const std::int64_t longest = std::max<std::int64_t>(lengths.hi, 0);
+  const std::int64_t shortest = std::max<std::int64_t>(lengths.lo, 0);
+  if (longest > kLongestChosenRange) {
+    unsupported(span, fmt::format("this range can have up to {} elements, depending on choices", longest),
+                fmt::format("at most {} can be kept as a list; a for over the range itself has no such limit",
+                            kLongestChosenRange));
+  }
+  Value result;
+  std::vector<Value> items;
+  for (std::int64_t i = 0; i < longest; ++i) items.push_back(arithmetic(BinaryOp::kAdd, first, i, span));
+  result = make_list(items, span);
+  for (std::int64_t count = longest - 1; count >= shortest; --count) {
+    items.pop_back();
+    result = merge(*graph_, graph_->apply(Op::kLeInt, {length, graph_->constant(count)}),
+                   make_list(items, span), result);
+  }
+  return result;
 }
 
 // ---- reading
@@ -146,13 +202,9 @@ Value Structures::field(const Value& object, const FieldExpr& access) {
   });
 }
 
-std::size_t Structures::field_position(const RecordStmt& type, const FieldExpr& access) {
-  const auto at = std::find(type.numbers.begin(), type.numbers.end(), access.number);
-  if (at == type.numbers.end()) {
-    program_error(access.field_span, fmt::format("a record {} has no field '{}'", type.name, access.field),
-                  field_help(type, access.field));
-  }
-  return static_cast<std::size_t>(at - type.numbers.begin());
+void Structures::no_such_field(const RecordStmt& type, const FieldExpr& access) {
+  program_error(access.field_span, fmt::format("a record {} has no field '{}'", type.name, access.field),
+                field_help(type, access.field));
 }
 
 /// The value, on the paths on which it is a list of that length.

@@ -1,5 +1,8 @@
 #pragma once
+#include <cstdint>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "solitaire/run/operators.h"
 
@@ -8,6 +11,8 @@ namespace solitaire {
 /// The layer of an evaluation that reads and changes lists and records.
 class Structures : public Operators {
  public:
+  /// a..b as a list.
+  Value up_to(const Value& first, const Value& last, Span span);
   Value element(const Value& object, const Value& index, Span span);
   Value field(const Value& object, const FieldExpr& access);
   /// Gives the items of a list of that length to `give`, in order; an error of the program if it is none.
@@ -34,6 +39,13 @@ class Structures : public Operators {
  protected:
   using Operators::Operators;
 
+  /// Which of a record's fields an expression reads; an error of the program if it has none of that name.
+  std::size_t field_position(const RecordStmt& type, const FieldExpr& access) {
+    const std::uint32_t position = type.position(access.number);
+    if (position == RecordStmt::kNoField) no_such_field(type, access);
+    return position;
+  }
+
   /// Changes a part of a value in place: its new value for its old one.
   using Change = std::function<void(Value&)>;
   void update_element(Value& object, const Value& index, Span span, const Change& change);
@@ -46,7 +58,8 @@ class Structures : public Operators {
   Value checked_parts(const Value& value, std::size_t count, Span span);
   [[noreturn]] void needs_list(const Value& value, const char* user, Span span);
   void check_indexed(const Value& object, const Value& index, Span span);
-  std::size_t field_position(const RecordStmt& type, const FieldExpr& access);
+  [[noreturn]] void no_such_field(const RecordStmt& type, const FieldExpr& access);
+  Value chosen_range(const Value& first, const Value& last, Span span);
   Value element_of(const std::vector<Value>& items, const Value& index, Span span);
   Value traced_element(const std::vector<Value>& items, const Value& index, Span span);
   std::size_t checked_index(const Value& index, std::size_t count, Span span);

@@ -1,5 +1,8 @@
 #pragma once
-#include "solitaire/run/evaluator.h"
+#include <optional>
+
+#include "solitaire/names/program.h"
+#include "solitaire/run/symbolic_pass.h"
 #include "tracegraph/assignment.h"
 
 namespace solitaire {

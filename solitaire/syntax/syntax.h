@@ -143,6 +143,7 @@ struct CallExpr : Expr {
   ExprPtr callee;
   std::vector<Argument> arguments;
   Site site;
+  bool by_position = false;  // true if no argument is named
 };
 
 struct IndexExpr : Expr {
@@ -303,10 +304,16 @@ inline FunctionExpr::~FunctionExpr() = default;
 /// `record Obj(kind, x, y = 0);`. The fields are also the constructor's parameters.
 struct RecordStmt : Stmt {
   explicit RecordStmt(Span where) : Stmt(StmtKind::kRecord, where) {}
+  static constexpr std::uint32_t kNoField = UINT32_MAX;
+  /// Which field has the name of that number in Program::field_names, or kNoField.
+  std::uint32_t position(std::uint32_t name_number) const {
+    return name_number < positions.size() ? positions[name_number] : kNoField;
+  }
+
   std::string name;
   Span name_span;
   std::vector<Parameter> fields;
-  std::vector<std::uint32_t> numbers;  // the numbers of the fields' names in Program::field_names
+  std::vector<std::uint32_t> positions;  // see position()
   Slot slot = 0;
 };
 

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "solitaire/value/value.h"
-
 namespace solitaire {
 namespace {
 
@@ -16,19 +14,6 @@ std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::er
 /// Returns true if the JSON string of the text is the text between quotes.
 bool is_plain(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
-}
-
-std::vector<PlainValue> all_plain(const std::vector<Value>& values) {
-  std::vector<PlainValue> copies;
-  copies.reserve(values.size());
-  for (const Value& value : values) copies.push_back(plain(value));
-  return copies;
-}
-
-PlainValue::Record plain_record(const Record& record) {
-  PlainValue::Record copy{record.type->name, {}, all_plain(record.fields)};
-  for (std::size_t i = 0; i < record.fields.size(); ++i) copy.names.push_back(record.type->fields[i].name);
-  return copy;
 }
 
 /// Appends values in the manner of a list, each written by `append`.
@@ -92,33 +77,6 @@ struct TextWriter {
 };
 
 }  // namespace
-
-PlainValue plain(const Value& value) {
-  switch (value.kind()) {
-    case Value::Kind::kUnset:
-    case Value::Kind::kNil:
-      return {};
-    case Value::Kind::kBool:
-      return {*value.get<bool>()};
-    case Value::Kind::kInt:
-      return {*value.get<std::int64_t>()};
-    case Value::Kind::kFloat:
-      return {*value.get<double>()};
-    case Value::Kind::kString:
-      return {value.object<String>()->text};
-    case Value::Kind::kList:
-      return {PlainValue::List{all_plain(value.as_list()->items)}};
-    case Value::Kind::kRecord:
-      return {plain_record(*value.object<Record>())};
-    case Value::Kind::kBuiltin:
-    case Value::Kind::kClosure:
-    case Value::Kind::kRecordType:
-    case Value::Kind::kSymbol:
-    case Value::Kind::kUnion:
-      break;
-  }
-  return {PlainValue::Function{to_text(value)}};
-}
 
 std::string to_text(const PlainValue& value) {
   std::string text;

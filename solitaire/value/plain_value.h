@@ -7,8 +7,6 @@
 
 namespace solitaire {
 
-class Value;
-
 /// A value of the language as plain data: a tree that shares nothing with any other value, so that any thread
 /// may keep it.
 struct PlainValue {
@@ -29,10 +27,6 @@ struct PlainValue {
 
   bool is_nil() const { return std::holds_alternative<Nil>(is); }
 };
-
-/// Copies a value. A variable that was never set counts as nil, and what depends on choices that are left
-/// open as a function called '?'.
-PlainValue plain(const Value& value);
 
 /// The value as the language writes it.
 std::string to_text(const PlainValue& value);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "solitaire/value/plain_value.h"
+
 namespace solitaire {
 namespace {
 
@@ -189,7 +191,5 @@ std::string to_text(const Value& value, const NodeName& name) {
   }
   return "";
 }
-
-std::string to_json(const Value& value) { return to_json(plain(value)); }
 
 }  // namespace solitaire

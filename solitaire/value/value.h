@@ -8,7 +8,6 @@
 
 #include "solitaire/builtins/builtin.h"
 #include "solitaire/syntax/syntax.h"
-#include "solitaire/value/plain_value.h"
 #include "solitaire/value/ref.h"
 #include "tracegraph/graph.h"
 
@@ -84,6 +83,12 @@ class Value {
   }
   ~Value() {
     if (counted() && --is_.object->references_ == 0) delete is_.object;
+  }
+
+  /// Makes it Unset.
+  void reset() {
+    this->~Value();
+    new (this) Value();
   }
 
   static Value nil() { return Nil{}; }
@@ -282,8 +287,5 @@ using NodeName = std::function<std::string(NodeId)>;
 std::string to_text(const Value& value, const NodeName& name);
 /// The nodes in a value, guards of unions included.
 void collect_nodes(const Value& value, std::vector<NodeId>& nodes);
-
-/// As of its PlainValue.
-std::string to_json(const Value& value);
 
 }  // namespace solitaire

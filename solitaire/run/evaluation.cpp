@@ -1,9 +1,10 @@
-// What an execution decides and leaves behind under addresses: choices, wishes and placed things.
+#include "solitaire/run/evaluation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <stdexcept>
 
-#include "solitaire/run/evaluation.h"
 #include "tracegraph/density.h"
 
 namespace solitaire {

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solitaire/run/execution.h"
+#include "solitaire/syntax/syntax.h"
+#include "solitaire/value/value.h"
+#include "tracegraph/trace.h"
+
+namespace solitaire {
+
+/// A call of place() in a symbolic pass: what it was called with, and where.
+struct SymbolicPlacement {
+  Placement placement;
+  const CallExpr* site = nullptr;
+  std::vector<Value> arguments;                            // as of a BuiltinCall
+  std::vector<std::pair<std::string_view, Value>> extras;  // likewise
+};
+
+/// What one symbolic pass found.
+struct SymbolicPass {
+  Trace trace;
+  Value value;                                // of the program, where some path came to its end; else Unset
+  std::vector<SymbolicPlacement> placements;  // as numbered by Trace::placed
+  std::vector<CallRecord> calls;              // on the way to placements
+  double unit = 1;                            // metres in one unit of the program
+  /// False if some of what an execution does shows only when it is run.
+  bool complete = true;
+  std::uint64_t steps = 0;  // evaluated in all
+};
+
+}  // namespace solitaire
