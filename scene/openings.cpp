@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "scene/scene.h"
-
 namespace solitaire {
 namespace {
 

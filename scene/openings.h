@@ -2,17 +2,10 @@
 #include <vector>
 
 #include "scene/geometry.h"
+#include "scene/opening.h"
+#include "scene/scene.h"
 
 namespace solitaire {
-
-struct PlacedBox;
-struct Scene;
-
-/// A rectangle that is left out of a wall, through all its thickness. It is measured in shares of the wall:
-/// across from its left end, as seen from its front, and up from its foot.
-struct Opening {
-  double left = 0, right = 1, low = 0, high = 1;
-};
 
 /// Puts an opening into each wall for each door and window that stands in it: a thing in the same direction
 /// whose box goes through at least half of the wall's thickness. A wall of which an end, the top or all would

@@ -6,7 +6,7 @@
 #include "scene/assets.h"
 #include "scene/color.h"
 #include "scene/geometry.h"
-#include "scene/openings.h"
+#include "scene/opening.h"
 #include "scene/paint.h"
 #include "scene/placed_thing.h"
 
@@ -58,11 +58,5 @@ bool is_wall(const SceneObject& object);
 
 /// Returns the object's name before it is made unique: the program's name for it, or that of its asset.
 std::string plain_name(const SceneObject& object);
-
-/// Builds the scene of these things, where `unit` is the length of one program unit in metres. Throws
-/// SceneError for an asset that cannot be used, and for a size or place that is not finite or beyond 10,000
-/// km; the text names the place call.
-Scene build_scene(const std::vector<PlacedThing>& things, double unit, const std::string& title,
-                  AssetLibrary& assets);
 
 }  // namespace solitaire

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/build_scene.h"
 #include "scene/error.h"
-#include "scene/scene.h"
 
 namespace solitaire {
 

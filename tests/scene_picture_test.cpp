@@ -4,6 +4,7 @@
 #include <set>
 
 #include "scene/camera.h"
+#include "scene/openings.h"
 #include "scene/picture/cutaway.h"
 #include "scene/picture/picture.h"
 #include "scene/picture/picture_files.h"

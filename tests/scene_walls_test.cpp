@@ -1,5 +1,6 @@
 // Walls, and the openings that doors and windows make in them.
 #include "scene/gltf/writer.h"
+#include "scene/openings.h"
 #include "tests/scene_fixture.h"
 
 namespace solitaire {

@@ -4,6 +4,7 @@
 
 #include "engines/thesis/all_different.h"
 #include "engines/thesis/published_method.h"
+#include "smt/z3/choice_too_wide.h"
 #include "smt/z3/z3_solver.h"
 #include "tests/command.h"
 #include "tests/program_run.h"

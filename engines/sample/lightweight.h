@@ -4,6 +4,7 @@
 #include "engines/sample/chain.h"
 #include "engines/sample/proposal.h"
 #include "solitaire/run/evaluator.h"
+#include "solitaire/value/plain_copy.h"
 
 namespace solitaire {
 

@@ -88,14 +88,14 @@ void write_word(std::vector<unsigned char>& bytes, std::size_t at, std::size_t v
 }
 
 /// Returns the .glb with other JSON.
-std::vector<unsigned char> with_json(const std::vector<unsigned char>& glb, std::string json) {
-  json.resize((json.size() + 3) / 4 * 4, ' ');
+std::vector<unsigned char> with_json(const std::vector<unsigned char>& glb, std::string text) {
+  text.resize((text.size() + 3) / 4 * 4, ' ');
   const auto rest = glb.begin() + static_cast<std::ptrdiff_t>(kHeaderBytes + json_bytes(glb));
   std::vector<unsigned char> made(glb.begin(), glb.begin() + kHeaderBytes);
-  made.insert(made.end(), json.begin(), json.end());
+  made.insert(made.end(), text.begin(), text.end());
   made.insert(made.end(), rest, glb.end());
   write_word(made, 8, made.size());
-  write_word(made, 12, json.size());
+  write_word(made, 12, text.size());
   return made;
 }
 
@@ -105,10 +105,10 @@ std::vector<unsigned char> prepared(std::vector<unsigned char> bytes, const fs::
   const std::size_t size = is_binary(bytes) ? json_bytes(bytes) : bytes.size();
   check_nesting(bytes.data() + begin, size);
   const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
-  auto json = nlohmann::json::parse(first, first + static_cast<std::ptrdiff_t>(size), nullptr, false);
-  if (json.is_discarded()) throw SceneError("it is no glTF file: its JSON cannot be read");
-  if (!prepare_json(json, folder)) return bytes;
-  std::string text = json.dump();
+  auto document = nlohmann::json::parse(first, first + static_cast<std::ptrdiff_t>(size), nullptr, false);
+  if (document.is_discarded()) throw SceneError("it is no glTF file: its JSON cannot be read");
+  if (!prepare_json(document, folder)) return bytes;
+  std::string text = document.dump();
   return begin > 0 ? with_json(bytes, std::move(text)) : std::vector<unsigned char>(text.begin(), text.end());
 }
 

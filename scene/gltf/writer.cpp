@@ -15,6 +15,7 @@
 #include "scene/gltf/staging.h"
 #include "scene/gltf/verify.h"
 #include "scene/names.h"
+#include "scene/openings.h"
 
 namespace solitaire {
 namespace {

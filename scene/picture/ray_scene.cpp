@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/openings.h"
+
 namespace solitaire {
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "smt/operation_rows.h"
 #include "smt/unsupported_operation.h"
-#include "smt/z3/z3_solver.h"
+#include "smt/z3/choice_too_wide.h"
 #include "tracegraph/post_order.h"
 
 namespace solitaire {

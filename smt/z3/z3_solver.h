@@ -1,19 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
 
 #include "smt/solver.h"
 #include "tracegraph/address.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
-
-/// Thrown for a choice that has values which ints of a fixed width cannot hold.
-class ChoiceTooWide : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct Z3Options {
   std::uint64_t seed = 0;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "solitaire/run/evaluation.h"
+#include "solitaire/value/plain_value.h"
 
 namespace solitaire {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "tests/generator/draft.h"
-#include "tests/generator/program_generator.h"
+#include "tests/generator/source_text.h"
 #include "tests/generator/statements.h"
 
 namespace solitaire::generator {

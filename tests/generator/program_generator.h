@@ -3,14 +3,9 @@
 #include <vector>
 
 #include "tests/generator/byte_source.h"
+#include "tests/generator/source_text.h"
 
 namespace solitaire {
-
-/// A file of a generated program.
-struct SourceText {
-  std::string name;
-  std::string text;
-};
 
 /// The files of a generated program: the script first, then what is imported.
 struct GeneratedProgram {

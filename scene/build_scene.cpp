@@ -1,0 +1,180 @@
+#include "scene/build_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+
+#include "scene/error.h"
+#include "scene/names.h"
+#include "scene/openings.h"
+
+namespace solitaire {
+namespace {
+
+constexpr double kThinnest = 0.001;  // metres; a size of 0 would leave a node that cannot be inverted
+constexpr double kLargest = 1e7;     // metres; beyond it 32-bit floats no longer tell centimetres apart
+
+[[noreturn]] void fail(const PlacedThing& thing, std::string_view what) {
+  throw SceneError(fmt::format("{}: {} ({})", thing.source, what, thing.address));
+}
+
+/// Returns the size of an asset seen from its front: width, depth, height.
+Vec3 natural_size(const Asset& asset) {
+  const Vec3 size = asset.box.size();
+  return asset.front_turns % 2 == 0 ? Vec3{size[0], size[2], size[1]} : Vec3{size[2], size[0], size[1]};
+}
+
+/// Returns the size that the program asks for: width, depth, height.
+Vec3 wanted_size(const PlacedThing& thing, const Asset* asset, double unit) {
+  const auto& wanted = thing.size;
+  if (!wanted.empty() && wanted.size() != 2 && wanted.size() != 3)
+    fail(thing, "size needs [w, d] or [w, d, h]");
+  if (wanted.empty()) return asset ? natural_size(*asset) : Vec3{unit, unit, unit};
+  Vec3 size{wanted[0] * unit, wanted[1] * unit, 0};
+  if (wanted.size() == 3) {
+    size[2] = wanted[2] * unit;
+  } else {
+    size[2] = asset ? natural_size(*asset)[2] : std::min(size[0], size[1]);
+  }
+  for (double& length : size) {
+    if (!(length >= 0 && length <= kLargest)) fail(thing, "size is negative, not finite or beyond measure");
+    length = std::max(length, kThinnest);
+  }
+  return size;
+}
+
+/// Returns the size that the thing has where this is wanted. A model that keeps its proportions is as large
+/// as the wanted ground allows, unless its height is wanted, too.
+Vec3 fitted_size(const PlacedThing& thing, const Asset* asset, const Vec3& wanted) {
+  if (!asset || !asset->keeps_proportions || thing.size.size() != 2) return wanted;
+  const Vec3 natural = natural_size(*asset);
+  const double scale = std::min(wanted[0] / natural[0], wanted[1] / natural[1]);
+  return {natural[0] * scale, natural[1] * scale, natural[2] * scale};
+}
+
+PlacedBox place_box(const PlacedThing& thing, const Asset* asset, double unit) {
+  PlacedBox box;
+  const Vec3 wanted = wanted_size(thing, asset, unit);
+  box.size = fitted_size(thing, asset, wanted);
+  const int turn = ((thing.turn % 4) + 4) % 4;
+  box.angle = thing.angle ? *thing.angle : turn * 90.0;
+  const bool swapped = !thing.angle && turn % 2 == 1;
+  const Vec3 half{wanted[swapped ? 1 : 0] / 2, wanted[swapped ? 0 : 1] / 2, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = thing.at[axis] * unit;
+    if (!(std::abs(low) <= kLargest)) fail(thing, "at is not finite or beyond measure");
+    box.center[axis] = low + half[axis];
+  }
+  if (!std::isfinite(box.angle)) fail(thing, "angle is not finite");
+  return box;
+}
+
+Box3 model_box(const Asset* asset) { return asset ? asset->box : unit_box(); }
+
+double stretch(double wanted, double natural) { return natural > 0 ? wanted / natural : 1; }
+
+Transform node_transform(const PlacedBox& box, const Asset* asset) {
+  const int front_turns = asset ? asset->front_turns : 0;
+  const Box3 model = model_box(asset);
+  const Vec3 natural = model.size();
+  const bool swapped = front_turns % 2 == 1;
+  Transform transform;
+  transform.rotation = about_up(box.angle + front_turns * 90);
+  transform.scale = {stretch(box.size[swapped ? 1 : 0], natural[0]), stretch(box.size[2], natural[1]),
+                     stretch(box.size[swapped ? 0 : 1], natural[2])};
+  const Vec3 model_base{(model.low[0] + model.high[0]) / 2, model.low[1], (model.low[2] + model.high[2]) / 2};
+  const Vec3 moved = to_affine(transform).apply(model_base);
+  const Vec3 base{box.center[0], box.center[2], -box.center[1]};
+  for (int axis = 0; axis < 3; ++axis) transform.translation[axis] = rounded(base[axis] - moved[axis], 9);
+  return transform;
+}
+
+/// Returns the material that a further argument names, nothing if there is no such argument.
+std::optional<Paint> material_of(const PlacedThing& thing) {
+  const auto named =
+      std::ranges::find(thing.extras, "material", [](const auto& extra) { return extra.first; });
+  if (named == thing.extras.end()) return std::nullopt;
+  const auto name = nlohmann::json::parse(named->second, nullptr, false);
+  const auto material = name.is_string() ? material_named(name.get<std::string>()) : std::nullopt;
+  if (!material)
+    fail(thing, fmt::format("there is no material {}; there are {}", named->second, material_names()));
+  return material;
+}
+
+/// Returns what the thing is painted with. A colour beside a material tints it: the finish stays.
+std::optional<Paint> paint_of(const PlacedThing& thing, const Asset* asset) {
+  std::optional<Paint> paint = material_of(thing);
+  if (!paint && (thing.color || !asset)) paint = Paint{"", color_of_name(thing.asset), std::nullopt};
+  if (thing.color) paint->color = *thing.color;
+  return paint;
+}
+
+SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& assets) {
+  SceneObject object;
+  object.thing = thing;
+  try {
+    object.asset = assets.find(thing.asset);
+  } catch (const SceneError& error) {
+    fail(thing, error.what());
+  }
+  object.box = place_box(thing, object.asset, unit);
+  object.paint = paint_of(thing, object.asset);
+  object.color = object.paint ? object.paint->color : object.asset->color;
+  object.node_transform = node_transform(object.box, object.asset);
+  return object;
+}
+
+/// Builds the tree of the program's calls, in the order of its run.
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(Scene& scene) : scene_(scene) {
+    scene_.nodes.push_back({names_.take(scene.title), {}, {}});
+  }
+
+  void add(std::size_t object) {
+    std::size_t parent = 0;
+    for (const std::string& call : scene_.objects[object].thing.groups) parent = group(parent, call);
+    scene_.nodes[append(parent, plain_name(scene_.objects[object]))].object = object;
+  }
+
+ private:
+  std::size_t group(std::size_t parent, const std::string& call) {
+    const auto [place, is_new] = groups_.try_emplace({parent, call}, scene_.nodes.size());
+    if (is_new) append(parent, call);
+    return place->second;
+  }
+
+  std::size_t append(std::size_t parent, const std::string& name) {
+    const std::size_t index = scene_.nodes.size();
+    scene_.nodes.push_back({names_.take(name), {}, {}});
+    scene_.nodes[parent].children.push_back(index);
+    return index;
+  }
+
+  Scene& scene_;
+  UniqueNames names_;
+  std::map<std::pair<std::size_t, std::string>, std::size_t> groups_;
+};
+
+}  // namespace
+
+Scene build_scene(const std::vector<PlacedThing>& things, double unit, const std::string& title,
+                  AssetLibrary& assets) {
+  if (!(unit > 0 && unit <= kLargest)) throw SceneError("the unit must be a positive number of metres");
+  Scene scene;
+  scene.title = title;
+  scene.objects.reserve(things.size());
+  TreeBuilder tree(scene);
+  for (const PlacedThing& thing : things) {
+    scene.objects.push_back(make_object(thing, unit, assets));
+    tree.add(scene.objects.size() - 1);
+  }
+  make_openings(scene);
+  return scene;
+}
+
+}  // namespace solitaire
