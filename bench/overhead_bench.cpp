@@ -10,7 +10,7 @@
 #include "library/scene_of.h"
 #include "scene/assets.h"
 #include "scene/gltf/writer.h"
-#include "scene/page/plan.h"
+#include "scene/page/drawing/plan.h"
 #include "scene/scene.h"
 
 namespace solitaire {

@@ -39,6 +39,9 @@ Solution solution_of(Execution execution, const AddressTable& addresses) {
   for (Placement& placement : execution.placements)
     solution.placements.push_back(object_of(std::move(placement)));
   for (Rejection& rejection : execution.broken) solution.broken.push_back(broken_of(std::move(rejection)));
+  for (WishCost& wish : execution.wishes) {
+    if (wish.cost > 0) solution.unmet.push_back({wish.span, std::move(wish.address), wish.cost, {}});
+  }
   solution.unit = execution.unit;
   solution.printed = std::move(execution.printed);
   return solution;

@@ -56,6 +56,14 @@ struct BrokenAssert {
   std::vector<std::string> choices;  // the addresses of the choices on which it depends, sorted
 };
 
+/// A wish of the program that costs a solution something.
+struct UnmetWish {
+  Span span;
+  std::string address;
+  std::int64_t cost = 0;             // more than 0
+  std::vector<std::string> choices;  // the addresses of the choices on which it depends, sorted
+};
+
 /// How good a solution is, where the program has wishes or its asserts may be broken. Fewer broken asserts
 /// are better, and of those with as many the one of less cost.
 struct Quality {
@@ -73,6 +81,7 @@ struct Solution {
   ChosenValues choices;  // in the order in which the execution meets them
   std::vector<PlacedObject> placements;
   std::vector<BrokenAssert> broken;
+  std::vector<UnmetWish> unmet;
   std::optional<Quality> quality;    // nothing where solutions are all as good
   double unit = 1;                   // metres in one unit of the program
   std::vector<std::string> printed;  // lines

@@ -53,6 +53,11 @@ BrokenAssert frozen(const solitaire::BrokenAssert& broken, const SourceSet& sour
           broken.choices};
 }
 
+UnmetWish frozen(const solitaire::UnmetWish& wish, const SourceSet& sources) {
+  return {wish.address, place(wish.span, sources), std::string(sources.text(wish.span)), wish.cost,
+          wish.choices};
+}
+
 /// Returns a family of that type; which one is not known of a choice whose value alone was kept.
 Distribution::Family family_of(Type type) {
   switch (type) {
@@ -92,6 +97,7 @@ Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const
     made.quality = Quality{quality->broken, quality->wishes, quality->cost, quality->proved};
   for (const solitaire::BrokenAssert& broken : solution.broken)
     made.broken.push_back(frozen(broken, sources));
+  for (const solitaire::UnmetWish& wish : solution.unmet) made.unmet.push_back(frozen(wish, sources));
   for (const PlacedObject& object : solution.placements) made.placements.push_back(frozen(object));
   made.unit = solution.unit;
   made.printed = solution.printed;

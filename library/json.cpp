@@ -31,6 +31,10 @@ Json broken_json(const BrokenAssert& broken) {
   return json;
 }
 
+Json unmet_json(const UnmetWish& wish) {
+  return {{"at", wish.address}, {"source", wish.source}, {"wish", wish.text}, {"cost", wish.cost}};
+}
+
 template <class Members, class ToJson>
 Json list_of(const Members& members, const ToJson& to_json) {
   Json list = Json::array();
@@ -110,6 +114,7 @@ Json json_of(const Solution& solution) {
     json["cost"] = solution.quality->cost;
     json["optimal"] = solution.quality->proved_best;
     json["broken"] = list_of(solution.broken, broken_json);
+    json["unmet"] = list_of(solution.unmet, unmet_json);
   }
   json["choices"] = list_of(solution.choices, choice_json);
   return json;

@@ -18,20 +18,27 @@ PlacedThing to_thing(const Placement& placement) {
   return thing;
 }
 
-bool concerns(const BrokenAssert& broken, const Placement& placement) {
+/// Tells whether something that depends on these choices is about the thing.
+bool concerns(const std::vector<std::string>& choices, const Placement& placement) {
   return std::any_of(placement.choices.begin(), placement.choices.end(), [&](const Choice& choice) {
-    return std::find(broken.choices.begin(), broken.choices.end(), choice.address) != broken.choices.end();
+    return std::find(choices.begin(), choices.end(), choice.address) != choices.end();
   });
 }
 
 void mark(const Solution& solution, const Placement& placement, PlacedThing& marked) {
   Json broken = Json::array();
   for (const BrokenAssert& each : solution.broken) {
-    if (concerns(each, placement)) broken.push_back(to_text(each));
+    if (concerns(each.choices, placement)) broken.push_back(to_text(each));
   }
-  if (broken.empty()) return;
-  marked.color = kRed;
-  marked.extras.emplace_back("broken", json_text(broken));
+  if (!broken.empty()) {
+    marked.color = kRed;
+    marked.extras.emplace_back("broken", json_text(broken));
+  }
+  Json unmet = Json::array();
+  for (const UnmetWish& each : solution.unmet) {
+    if (concerns(each.choices, placement)) unmet.push_back(to_text(each));
+  }
+  if (!unmet.empty()) marked.extras.emplace_back("unmet", json_text(unmet));
 }
 
 }  // namespace

@@ -25,6 +25,10 @@ std::string to_text(const BrokenAssert& broken) {
   return text;
 }
 
+std::string to_text(const UnmetWish& wish) {
+  return fmt::format("{}: {} (cost {})", wish.source, wish.text, wish.cost);
+}
+
 std::string to_text(const Solution& solution) {
   std::string text = fmt::format("solution {}: {}\n", solution.number, solution.text);
   if (solution.quality) text += fmt::format("  {}\n", quality_text(solution));

@@ -16,8 +16,10 @@ export function button(text, onclick, properties = {}) {
   return element('button', { type: 'button', onclick, ...properties }, text);
 }
 
-/** Returns a label that holds the control after its text. */
+/** Returns a label that holds the control after its text. The text alone is the control's name: what is chosen in it
+ * would else be a part of that. */
 export function labelled(text, control) {
+  control.setAttribute('aria-label', text);
   return element('label', {}, element('span', {}, text), control);
 }
 

@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "scene/page/gallery.h"
-#include "scene/page/plan.h"
+#include "scene/page/drawing/plan.h"
 #include "scene/text.h"
 #include "tests/scene_fixture.h"
 

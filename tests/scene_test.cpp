@@ -6,7 +6,7 @@
 #include "scene/gltf/verify.h"
 #include "scene/gltf/writer.h"
 #include "scene/names.h"
-#include "scene/page/plan.h"
+#include "scene/page/drawing/plan.h"
 #include "tests/scene_fixture.h"
 
 namespace solitaire {

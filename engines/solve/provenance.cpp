@@ -52,6 +52,21 @@ void Provenance::add_object_choices(Solution& solution) {
   }
 }
 
+void Provenance::add_wish_choices(Solution& solution) {
+  if (solution.unmet.empty()) return;
+  const AddressTable& addresses = solver_.addresses();
+  std::unordered_map<std::string, UnmetWish*> unmet;
+  for (UnmetWish& wish : solution.unmet) unmet.emplace(wish.address, &wish);
+  for (const Term& term : solver_.trace().soft_terms) {
+    const auto wish = unmet.find(addresses.text(term.address));
+    if (wish == unmet.end()) continue;
+    std::set<std::string> choices(wish->second->choices.begin(), wish->second->choices.end());
+    for (const std::size_t number : variables_below(solver_.graph(), {&term.node, 1}))
+      choices.insert(addresses.text(solver_.graph().variables()[number].address));
+    wish->second->choices.assign(choices.begin(), choices.end());
+  }
+}
+
 void Provenance::add_broken_choices(Solution& solution) {
   for (BrokenAssert& broken : solution.broken) {
     std::set<std::string> choices;

@@ -9,7 +9,7 @@
 namespace solitaire {
 
 /// Says on which choices it depends what a solution has: those in the cone of the nodes that a placed thing,
-/// or the condition of a broken assert, is made of.
+/// the cost of an unmet wish, or the condition of a broken assert, is made of.
 class Provenance {
  public:
   Provenance(const Program& program, const ParamValues& params, const TracingOptions& options, Pins& pins,
@@ -18,6 +18,8 @@ class Provenance {
 
   /// Fills in PlacedObject::choices: the choices that decide where the thing stands and what it is.
   void add_object_choices(Solution& solution);
+  /// Fills in UnmetWish::choices.
+  void add_wish_choices(Solution& solution);
   /// Fills in BrokenAssert::choices.
   void add_broken_choices(Solution& solution);
 

@@ -3,10 +3,16 @@ import { Box3, Euler, Quaternion, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { paintOf, shapeOf } from './looks.js';
 
-const kOwnFacts = new Set(['name', 'address', 'source', 'choices', 'broken']);
+const kOwnFacts = new Set(['name', 'address', 'source', 'choices', 'broken', 'unmet']);
 
 function rounded(numbers) {
   return numbers.map((number) => Math.round(number * 1e4) / 1e4);
+}
+
+/** A list that a program calls so, or that a file holds as JSON text. */
+function textsOf(list) {
+  const read = typeof list === 'string' ? JSON.parse(list) : list ?? [];
+  return Array.isArray(read) ? read.map(String) : [String(read)];
 }
 
 /** Returns the meshes at and below a node, each with its place in the world. */
@@ -44,7 +50,8 @@ function objectOf(node, path, index) {
     address: about.address,
     source: about.source ?? '',
     choices: about.choices ?? [],
-    broken: about.broken ?? [],
+    broken: textsOf(about.broken),
+    unmet: textsOf(about.unmet),
     facts: Object.entries(about).filter(([name]) => !kOwnFacts.has(name)),
     parts,
     box,

@@ -1,6 +1,6 @@
 // Shows one scene on a canvas, and says what is picked. Draws only when something has changed.
 import {
-  Color, Group, Mesh, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3,
+  Color, Group, Mesh, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector3,
   WebGLRenderer,
 } from 'three';
 import { Batches } from './batches.js';
@@ -8,12 +8,12 @@ import { Cutaway } from './cutaway.js';
 import { fitted, threeQuarterView } from './fit.js';
 import { disposeOfLighting, lightingFor, surroundings } from './lighting.js';
 import { Orbit } from './orbit.js';
-import { cutHeight, selectionMaterial } from './styles.js';
+import { Picker } from './picker.js';
+import { selectionMaterial } from './styles.js';
 import { Walk } from './walk.js';
 
 const kBackground = { orbit: [0xeceae6, 0x24272c], walk: [0xdbe6ef, 0x1d2733] };  // light, dark
-const kClick = 6;             // pixels that a pointer may move during a click
-const kMostPixels = 2;        // for each pixel of the page
+const kMostPixels = 2;  // for each pixel of the page
 
 export class Stage {
   /** `picked(object or null)` is called when somebody clicks, `moved()` whenever the camera has moved. Throws where
@@ -38,8 +38,9 @@ export class Stage {
     this.orbit = new Orbit(this.camera, canvas, () => this.#cameraMoved());
     this.walk = new Walk(this.camera, canvas, this.batches.group, (hit) => this.#isPassable(hit),
                          () => this.#cameraMoved());
-    this.raycaster = new Raycaster();
-    this.#listen(picked);
+    this.picker = new Picker(canvas, this.camera, this.batches, { picked, focused: (object) => this.focus(object) });
+    this.resizing = new ResizeObserver(() => this.resize());
+    this.resizing.observe(canvas);
   }
 
   /** Shows a scene whose walls have these addresses. `kindOf(object)` gives the style of each: "plain", "faded",
@@ -123,21 +124,6 @@ export class Stage {
     this.#colourBackground();
   }
 
-  /** Returns where on the canvas an object's middle is seen, in pixels of the page. */
-  whereIs(object) {
-    const at = object.box.getCenter(new Vector3()).project(this.camera);
-    return { x: (at.x + 1) / 2 * this.canvas.clientWidth, y: (1 - at.y) / 2 * this.canvas.clientHeight };
-  }
-
-  /** Returns the object that is seen at a point of the canvas, or null. */
-  objectAt(x, y) {
-    const point = new Vector2(x / this.canvas.clientWidth * 2 - 1, 1 - y / this.canvas.clientHeight * 2);
-    this.raycaster.setFromCamera(point, this.camera);
-    const hits = this.raycaster.intersectObject(this.batches.group, true);
-    const hit = hits.find((each) => this.#isShown(each));
-    return hit ? this.batches.objectAt(hit) : null;
-  }
-
   /** Draws soon. */
   invalidate() {
     this.frame ??= requestAnimationFrame(() => {
@@ -163,7 +149,7 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.frame);
     this.resizing.disconnect();
-    for (const [type, listener] of Object.entries(this.listeners)) this.canvas.removeEventListener(type, listener);
+    this.picker.dispose();
     this.walk.dispose();
     this.orbit.dispose();
     this.batches.clear();
@@ -172,24 +158,6 @@ export class Stage {
     this.scene.environment.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
-  }
-
-  #listen(picked) {
-    let start = null;
-    this.listeners = {
-      pointerdown: (event) => (start = [event.clientX, event.clientY]),
-      pointerup: (event) => {
-        const still = start && Math.hypot(event.clientX - start[0], event.clientY - start[1]) < kClick;
-        if (still && this.model) picked(this.objectAt(event.offsetX, event.offsetY));
-      },
-      dblclick: (event) => {
-        const object = this.objectAt(event.offsetX, event.offsetY);
-        if (object) this.focus(object);
-      },
-    };
-    for (const [type, listener] of Object.entries(this.listeners)) this.canvas.addEventListener(type, listener);
-    this.resizing = new ResizeObserver(() => this.resize());
-    this.resizing.observe(this.canvas);
   }
 
   #cameraMoved() {
@@ -233,10 +201,6 @@ export class Stage {
   #style(object) {
     const height = this.cut?.get(object);
     return this.kindOf(object) + (height === undefined ? '' : `:${height.toFixed(3)}`);
-  }
-
-  #isShown(hit) {
-    return hit.point.y <= cutHeight(this.batches.styleOf(this.batches.objectAt(hit)));
   }
 
   #isPassable(hit) {

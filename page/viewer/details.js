@@ -28,8 +28,8 @@ function choiceList(choices) {
     element('li', {}, element('code', {}, at), ` = ${valueText(value)}`)));
 }
 
-function brokenList(broken) {
-  return element('ul', { className: 'broken' }, broken.map((text) => element('li', {}, text)));
+function textList(texts, className) {
+  return element('ul', { className }, texts.map((text) => element('li', {}, text)));
 }
 
 /** Returns the heading and the facts of an object; `pair` says, in a comparison, how it differs. */
@@ -42,7 +42,8 @@ export function objectDetails(object, pair) {
     ['place', placeText(object)],
     ...object.facts.map(([name, value]) => [name, valueText(value)]),
     ...(pair?.words?.length ? [['differs', pair.words.join(', ')]] : []),
-    ...(object.broken.length > 0 ? [['broken', brokenList(object.broken)]] : []),
+    ...(object.broken.length > 0 ? [['broken', textList(object.broken, 'broken')]] : []),
+    ...(object.unmet.length > 0 ? [['unmet', textList(object.unmet, 'unmet')]] : []),
     ...(object.choices.length > 0 ? [['choices', choiceList(object.choices)]] : []),
   ];
   return element('section', {}, element('h3', {}, object.name), definitions(facts));

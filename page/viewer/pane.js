@@ -70,10 +70,9 @@ export class Pane {
     if (this.stage && pane.stage) this.stage.follow(pane.stage);
   }
 
-  select(object, closer) {
+  select(object) {
     this.selected = object;
     this.stage?.select(object);
-    if (object && closer && this.stage?.mode === 'orbit') this.stage.invalidate();
     this.drawing.mark(object?.address);
   }
 

@@ -12,9 +12,9 @@ function textOf(value) {
   return value === undefined ? '–' : JSON.stringify(value);
 }
 
-function objectText({ name, path, broken }) {
+function objectText({ name, path, broken, unmet }) {
   const where = path.length > 1 ? ` (in ${path.slice(1).join(' / ')})` : '';
-  return `${broken.length > 0 ? '⚠ ' : ''}${name}${where}`;
+  return `${broken.length > 0 ? '⚠ ' : unmet.length > 0 ? '△ ' : ''}${name}${where}`;
 }
 
 function differenceText({ kind, left, right, words }, [first, second]) {
@@ -39,8 +39,8 @@ function choiceTable(heads, rows) {
 
 function conditionsSection(title, conditions, className) {
   if (!conditions?.length) return null;
-  return section(title, element('ul', { className }, conditions.map(({ source, condition, message, cost }) =>
-    element('li', {}, message ? `${message}: ` : '', element('code', {}, condition), ` (${source})`,
+  return section(title, element('ul', { className }, conditions.map(({ source, condition, wish, message, cost }) =>
+    element('li', {}, message ? `${message}: ` : '', element('code', {}, condition ?? wish), ` (${source})`,
             cost === undefined ? '' : `, cost ${cost}`))));
 }
 

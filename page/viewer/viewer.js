@@ -37,7 +37,7 @@ export class Viewer {
       hold: (movement, isHeld) => this.panes.forEach((pane) => pane.hold(movement, isHeld)),
     });
     this.stageArea = element('div', { className: 'panes' });
-    this.panel = new Panel({ selected: (object, side) => this.#select(object, side, true) });
+    this.panel = new Panel({ selected: (object, side) => this.#select(object, side) });
     this.other = element('select', { 'aria-label': 'Compare with', onchange: () => this.#compareWith(Number(this.other.value)) });
     this.close = button('Close', () => this.dialog.close(), { className: 'close' });
     this.dialog = element('dialog', { className: 'viewer', 'aria-labelledby': 'viewer-title' },
@@ -58,7 +58,7 @@ export class Viewer {
     this.panel.clear();
     this.controls.begin(solutions.length);
     this.panes = solutions.map((solution) => new Pane(this.source, solution, {
-      selected: (object, pane) => this.#select(object, this.panes.indexOf(pane), false),
+      selected: (object, pane) => this.#select(object, this.panes.indexOf(pane)),
       moved: (pane) => this.panes.filter((each) => each !== pane).forEach((each) => each.follow(pane)),
     }));
     this.stageArea.replaceChildren(...this.panes.map((pane) => pane.element));
@@ -81,10 +81,10 @@ export class Viewer {
     left.focus();
   }
 
-  /** `from` is the pane in which the object was picked, or that it belongs to. */
-  #select(object, side, fromList) {
+  /** `side` is that of the pane that the object belongs to. */
+  #select(object, side) {
     const pair = this.comparison?.pairOf(object) ?? (side === 0 ? { left: object } : { right: object });
-    [pair.left, pair.right].forEach((each, at) => this.panes[at]?.select(each ?? null, fromList));
+    [pair.left, pair.right].forEach((each, at) => this.panes[at]?.select(each ?? null));
     this.panel.showObject(object, this.comparison && object ? pair : null);
   }
 

@@ -9,7 +9,7 @@
 #include "scene/atomic_file.h"
 #include "scene/error.h"
 #include "scene/page/deflate.h"
-#include "scene/page/views.h"
+#include "scene/page/drawing/views.h"
 #include "scene/picture/cutaway.h"
 
 namespace solitaire {
@@ -66,8 +66,10 @@ SolutionFiles PageFiles::add(const std::string& name, const Scene* scene, std::s
   Json said = Json::parse(about);
   if (scene) {
     const std::vector<View> views = views_of(*scene);
-    files.drawing = fmt::format("{}/{}.svg", kBeside, name);
-    write_file_atomically(folder_ / files.drawing, views.back().svg);
+    if (!views.empty()) {
+      files.drawing = fmt::format("{}/{}.svg", kBeside, name);
+      write_file_atomically(folder_ / files.drawing, views.back().svg);
+    }
     said["views"] = views_json(views);
     said["walls"] = walls_of(*scene);
   }

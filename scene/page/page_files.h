@@ -12,7 +12,7 @@ namespace solitaire {
 /// The files that the page has for a solution, relative to it.
 struct SolutionFiles {
   std::string script;   // what is shown when somebody opens it
-  std::string drawing;  // an SVG, "" for a program that places nothing
+  std::string drawing;  // an SVG, "" where there are no drawings
 };
 
 /// Writes the page of a run: index.html in a folder, and what it needs in the folder page/ below. Scenes are

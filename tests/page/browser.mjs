@@ -13,6 +13,8 @@ const kBrowser = process.env.SOLITAIRE_BROWSER ?? '/usr/bin/chromium';
 // WebGL by the processor: there is no other one on a test machine.
 const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
+const kPatience = 120_000;  // milliseconds; a busy machine draws slowly
+
 export async function launched() {
   return chromium.launch({ executablePath: kBrowser, args: kFlags });
 }
@@ -35,6 +37,7 @@ export async function generated(folder, name, text, ...options) {
 export async function opened(browser, address, settings = {}) {
   const context = await browser.newContext({ viewport: { width: 840, height: 520 }, ...settings });
   const page = await context.newPage();
+  page.setDefaultTimeout(kPatience);
   const troubles = [];
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) troubles.push(message.text());

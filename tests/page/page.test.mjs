@@ -1,11 +1,12 @@
 // The page of a run in a real browser, from the disk. SOLITAIRE_PROGRAM names the program that writes it.
 import assert from 'node:assert/strict';
-import { readFile, readdir, rm } from 'node:fs/promises';
+import { readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { generated, launched, opened, ready, workplace } from './browser.mjs';
 import { areas, kColours, seen, share } from './pixels.mjs';
+import { texturedModel } from './textured_model.mjs';
 
 // A floor of 8 x 8 m with a wall at its front, five red boxes, two blue ones and a green one that a choice moves.
 const kBlocks = `
@@ -135,7 +136,7 @@ test('a picked object says what it is; the list and the drawings pick, too', asy
     assert.match(text, /x 3, y 6, z 0\.1/);
     await panelOf(page).getByLabel('Objects').selectOption({ label: 'front wall' });
     await details.getByRole('heading', { name: 'front wall' }).waitFor();
-    await page.getByLabel('View').selectOption('Plan');
+    await page.getByLabel('View', { exact: true }).selectOption('Plan');
     await page.locator('.drawing [data-address]', { has: page.locator('title', { hasText: 'green box' }) }).click();
     await details.getByRole('heading', { name: 'green box' }).waitFor();
     assert.equal(await page.locator('.drawing .selected').count(), 1);
@@ -191,6 +192,81 @@ test('two solutions side by side: what differs keeps its colour, what is the sam
     await canvasOf(page, 0).focus();
     await page.keyboard.press('ArrowLeft');  // the other one turns with it
     assert.notDeepEqual((await seen(page, canvasOf(page, 1))).data, right.data);
+  });
+});
+
+const kHouse = `
+place("", at: [0, 0, 0], size: [6, 5, 0.2], name: "ground");
+place("", at: [0, 0, 2.8], size: [6, 5, 0.2], name: "upper floor");
+place("", at: [0, 0, 5.6], size: [6, 5, 0.2], name: "roof");
+place("", at: [range(1, 2), 2, 0.2], size: [2, 1, 0.75], name: "table");
+place("", at: [3, 2, 3], size: [2, 1, 0.5], name: "bed");
+for i in 0..30: place("", at: [0.19 * i, 0.1 * (i % 7), 3], size: [0.5, 0.4, 0.1 * i + 0.1], angle: 13 * i, name: "thing");
+`;
+
+test('drawings: no floor hides another one, and no label lies upon another', async () => {
+  const address = await generated(folder.path, 'house', kHouse, '-n', '1');
+  await withPage(address, async (page) => {
+    await openFirst(page);
+    const views = await page.getByLabel('View', { exact: true }).locator('option').allTextContents();
+    assert.deepEqual(views, ['3D', 'Plan from 0 m', 'Plan from 2.8 m', 'From the front', 'From the right', 'Isometric']);
+    const isOnTop = (name) => page.evaluate((wanted) => {
+      const thing = [...document.querySelectorAll('.drawing [data-address]')]
+        .find((each) => each.querySelector('title').textContent.startsWith(`${wanted}\n`));
+      const { x, y, width, height } = thing.getBoundingClientRect();
+      return thing.contains(document.elementFromPoint(x + width / 2, y + height / 2));
+    }, name);
+    for (const [view, thing] of [['Plan from 0 m', 'table'], ['Plan from 2.8 m', 'bed'], ['Isometric', 'roof']]) {
+      await page.getByLabel('View', { exact: true }).selectOption(view);
+      assert.equal(await isOnTop(thing), true, `${thing} in ${view}`);
+    }
+    for (const view of views.slice(1)) {
+      await page.getByLabel('View', { exact: true }).selectOption(view);
+      const clashes = await page.evaluate(() => {
+        const texts = [...document.querySelectorAll('.drawing [data-address] text')];
+        const boxes = texts.map((text) => text.getBoundingClientRect());
+        const overlap = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+        return boxes.flatMap((box, at) => boxes.slice(at + 1).filter((other) => overlap(box, other))).length;
+      });
+      assert.equal(clashes, 0, view);
+    }
+  });
+});
+
+const kWishes = `
+x = range(0, 9);
+y = range(0, 9);
+place("", at: [x, 0], size: [1, 1, 1], name: "wanderer");
+place("", at: [y, 4], size: [1, 1, 1], name: "other");
+assert(x > 7);
+assert(x < 7, "not so far");
+prefer(y == 3, 3);
+minimize(5 * y);
+`;
+
+test('unmet wishes and broken asserts are listed, and marked where they are', async () => {
+  const address = await generated(folder.path, 'wishes', kWishes, '-n', '1', '--relax');
+  await withPage(address, async (page) => {
+    await openFirst(page);
+    const section = (title) => panelOf(page).locator('section', { has: page.getByRole('heading', { name: title }) });
+    assert.match(await section('Broken asserts').textContent(), /x [<>] 7 \(wishes\.sol:[67]:8\)/);
+    assert.match(await section('Unmet wishes').textContent(), /prefer\(y == 3, 3\) \(wishes\.sol:8:1\), cost 3$/);
+    const list = await panelOf(page).getByLabel('Objects').locator('option').allTextContents();
+    assert.deepEqual(list, ['⚠ wanderer', '△ other']);
+    assert.equal(await numberOf(page, 'red'), 1);
+    await panelOf(page).getByLabel('Objects').selectOption({ index: 0 });
+    assert.match(await panelOf(page).locator('.details .broken').textContent(), /x [<>] 7/);
+    await panelOf(page).getByLabel('Objects').selectOption({ index: 1 });
+    assert.match(await panelOf(page).locator('.details .unmet').textContent(), /prefer\(y == 3, 3\)/);
+  });
+});
+
+test('the textures of models are seen', async () => {
+  await writeFile(join(folder.path, 'tile.glb'), texturedModel());
+  const address = await generated(folder.path, 'textured', 'place("tile.glb", at: [range(0, 1), 0]);', '-n', '1');
+  await withPage(address, async (page) => {
+    await openFirst(page);
+    assert.ok(share(await seen(page, canvasOf(page)), kColours.red) > 0.2);
   });
 });
 
@@ -250,7 +326,7 @@ test('names, texts and values that try to be markup are shown as text', async ()
     const text = await panelOf(page).textContent();
     assert.match(text, /<img src=x onerror=document\.title='bad'>/);
     assert.match(text, /<\/script><script>/);
-    await page.getByLabel('View').selectOption('Plan');
+    await page.getByLabel('View', { exact: true }).selectOption('Plan');
     assert.equal(await page.locator('.drawing svg').count(), 1);
     await page.goto(`${address}#compare-1-2`);
     await ready(page);
@@ -334,17 +410,25 @@ test('a phone shows everything without scrolling sideways, and touch turns and p
   }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 });
 
+/** Returns the milliseconds until a page shows something; they depend on how busy the machine is. */
+async function paintOf(page) {
+  await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length > 0);
+  return page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
+}
+
 test('a thousand solutions: the page is quick, and loads a scene only when it is opened', async () => {
   const address = await generated(folder.path, 'many', 'x = range(1, 1000);\nplace("", at: [x, 0], size: [1, 1, 1]);\nreturn x;',
                                   '--all', '--diversity', 'low');
   const files = await readdir(join(folder.path, 'many/page'));
   assert.equal(files.filter((file) => /^many-\d+\.js$/.test(file)).length, 1000);
   const asked = [];
+  let few;
+  await withPage(blocks, async (page) => (few = await paintOf(page)));
   await withPage('about:blank', async (page) => {
     page.on('request', (request) => asked.push(request.url()));
     await page.goto(address);
-    const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime);
-    assert.ok(paint < 3000, `painted after ${paint} ms`);
+    const paint = await paintOf(page);
+    assert.ok(paint < 4 * few + 1500, `painted after ${paint} ms, a page of seven after ${few} ms`);
     assert.equal((await shownNames(page)).length, 1000);
     assert.equal(asked.filter((url) => /many-\d+\.js|stage\.js|choices\.js/.test(url)).length, 0);
     assert.ok(asked.length < 100, `${asked.length} files were asked for`);
@@ -352,7 +436,7 @@ test('a thousand solutions: the page is quick, and loads a scene only when it is
     await page.getByLabel('Sort by').selectOption('value');
     await page.waitForFunction(() => document.querySelector('article .value').textContent === '1');
     const end = await page.evaluate(() => performance.now());
-    assert.ok(end - start < 3000, `sorted in ${end - start} ms`);
+    assert.ok(end - start < 4 * few + 3000, `sorted in ${end - start} ms`);
     await openFirst(page);
     assert.equal(asked.filter((url) => /many-\d+\.js/.test(url)).length, 1);
   });

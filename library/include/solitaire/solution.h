@@ -71,6 +71,15 @@ struct BrokenAssert {
   std::vector<std::string> choices;  // the addresses of the choices that it depends on
 };
 
+/// A wish that costs the solution something.
+struct UnmetWish {
+  std::string address;
+  std::string source;                // "room.sol:3:1", without a folder
+  std::string text;                  // the call: "prefer(near, 5)"
+  std::int64_t cost = 0;             // more than 0
+  std::vector<std::string> choices;  // the addresses of the choices that it depends on
+};
+
 /// Says how good a solution is, where some are better than others. Fewer broken asserts are better, and of
 /// those with as many the one that costs less.
 struct Quality {
@@ -88,6 +97,7 @@ struct Solution {
   std::vector<Choice> choices;
   std::optional<Quality> quality;
   std::vector<BrokenAssert> broken;
+  std::vector<UnmetWish> unmet;
   std::vector<Placement> placements;
   double unit = 1;                   // metres in one unit of the program
   std::vector<std::string> printed;  // the lines that it printed
@@ -101,6 +111,8 @@ SOLITAIRE_API std::string to_text(const Solution& solution);
 SOLITAIRE_API std::string to_text(const ChoiceValue& value);
 /// Returns how good the solution is: "cost 5, proved the best left", or "" where all are as good.
 SOLITAIRE_API std::string quality_text(const Solution& solution);
+/// Returns an unmet wish on a line: "room.sol:3:1: prefer(near, 5) (cost 5)".
+SOLITAIRE_API std::string to_text(const UnmetWish& wish);
 /// Returns a broken assert on a line: "room.sol:3:8: table.x < 4 (at room[2]/assert)".
 SOLITAIRE_API std::string to_text(const BrokenAssert& broken);
 
