@@ -1,8 +1,8 @@
 // The plan and the gallery page.
 #include <cstdio>
 
-#include "scene/page/gallery.h"
 #include "scene/page/drawing/plan.h"
+#include "scene/page/gallery.h"
 #include "scene/text.h"
 #include "tests/scene_fixture.h"
 
