@@ -87,6 +87,14 @@ constexpr double kFewDraws = 1000;
 /// Executions that are drawn to find one to start from. Judgement: a program of which fewer are possible is
 /// better said in another way.
 constexpr std::uint64_t kMostStarts = 10'000;
+/// Possible executions that are drawn for a start, of which the best one is taken. Judgement.
+constexpr std::size_t kStartsCompared = 20;
+/// A choice with more values than this is not drawn by comparing all of them. Judgement.
+constexpr std::uint64_t kMostValuesCompared = 64;
+/// Traces of so many paths are kept. Judgement: each takes some kilobytes for each choice.
+constexpr std::size_t kMostTraces = 256;
+/// A trace's density and that of the execution agree to so much of their size: sums differ in their order.
+constexpr double kDensityTolerance = 1e-9;
 /// Above this split R-hat chains do not agree, and below this effective size quantiles are not to be trusted
 /// (Vehtari and others 2021, section 4).
 constexpr double kMostRHat = 1.01;

@@ -1,18 +1,13 @@
 #pragma once
-#include <cstdint>
-#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "solitaire/value/plain_value.h"
+#include "base/diagnostic.h"
+#include "engines/sample/move.h"
+#include "engines/sample/returned_numbers.h"
 
 namespace solitaire {
-
-/// How often a kind of step was tried, and how often it was taken.
-struct MoveCount {
-  std::uint64_t tried = 0;
-  std::uint64_t accepted = 0;
-};
-using MoveCounts = std::map<std::string, MoveCount>;
 
 /// A Markov chain over the executions of a program, whose stationary distribution is the one that the program
 /// denotes: an execution's density is the product of its choices' densities and of its factors, where wishes
@@ -29,10 +24,13 @@ class Chain {
   virtual void sweep() = 0;
   /// Steps are tuned up to here, and never again: a chain that learns for ever has no known distribution.
   virtual void end_warmup() = 0;
-  /// What the program returns in the present state.
-  virtual PlainValue value() = 0;
+  /// The numbers that the program returns in the present state, with their names.
+  virtual void read(const ReturnedNumbers& returned, std::vector<std::string>& names,
+                    std::vector<double>& numbers) = 0;
   /// The steps since the warm-up ended.
-  virtual const MoveCounts& moves() const = 0;
+  virtual MoveCounts moves() const = 0;
+  /// Why the chain takes slower steps than it could, if it does.
+  virtual std::optional<Diagnostic> slowed_by() const { return std::nullopt; }
 };
 
 }  // namespace solitaire

@@ -44,20 +44,6 @@ double first_scale(const Distribution& distribution) {
 
 }  // namespace
 
-const char* name(Proposal::Move move) {
-  switch (move) {
-    case Proposal::Move::kPrior:
-      return "prior";
-    case Proposal::Move::kOther:
-      return "other value";
-    case Proposal::Move::kNeighbour:
-      return "neighbour";
-    case Proposal::Move::kWalk:
-      break;
-  }
-  return "walk";
-}
-
 /// Half of the steps go anywhere, and half close by: the first leave a mode, the second explore it.
 Proposal Proposer::propose(AddressId address, const Distribution& distribution, TypedScalar value) {
   const bool near = stream_.below(2) == 0;
@@ -67,29 +53,28 @@ Proposal Proposer::propose(AddressId address, const Distribution& distribution, 
   }
   if (!distribution.is_finite())
     return near ? neighbour(distribution, value) : from_prior(distribution, value);
-  if (distribution.size() == 1) return {value, 0, Proposal::Move::kOther};
+  if (distribution.size() == 1) return {value, 0, Move::kOther};
   const bool has_near = distribution.family == Family::kRange && distribution.size() > 4;
   return near && has_near ? neighbour(distribution, value) : other(distribution, value);
 }
 
 Proposal Proposer::from_prior(const Distribution& distribution, TypedScalar value) {
   const TypedScalar proposed = distribution.sample(stream_);
-  return {proposed, distribution.log_density(value) - distribution.log_density(proposed),
-          Proposal::Move::kPrior};
+  return {proposed, distribution.log_density(value) - distribution.log_density(proposed), Move::kPrior};
 }
 
 Proposal Proposer::other(const Distribution& distribution, TypedScalar value) {
   const auto present = static_cast<std::uint64_t>((value.as_int() - distribution.lo) / distribution.step);
   std::uint64_t number = stream_.below(distribution.size() - 1);
   if (number >= present) ++number;
-  return {distribution.typed(distribution.value(number)), 0, Proposal::Move::kOther};
+  return {distribution.typed(distribution.value(number)), 0, Move::kOther};
 }
 
 /// Goes up or down by 1, 2, 4 or 8 steps; what leads outside is impossible, and so refused later.
 Proposal Proposer::neighbour(const Distribution& distribution, TypedScalar value) {
   const std::int64_t distance = distribution.step << stream_.below(4);
   const std::int64_t sign = stream_.below(2) == 0 ? 1 : -1;
-  return {TypedScalar::of(value.as_int() + sign * distance), 0, Proposal::Move::kNeighbour};
+  return {TypedScalar::of(value.as_int() + sign * distance), 0, Move::kNeighbour};
 }
 
 /// A normal step in the coordinate. What is symmetric there is not so for the value itself: the ratio of the
@@ -98,7 +83,7 @@ Proposal Proposer::walk(double scale, const Distribution& distribution, TypedSca
   const double x = value.as_float();
   const double step = scale * first_scale(distribution) * draw_normal(stream_);
   const auto made = [](double proposed, double log_ratio) {
-    return Proposal{TypedScalar::of(proposed), log_ratio, Proposal::Move::kWalk};
+    return Proposal{TypedScalar::of(proposed), log_ratio, Move::kWalk};
   };
   switch (coordinate_of(distribution.family)) {
     case Coordinate::kPlain:

@@ -2,6 +2,7 @@
 #include <unordered_map>
 
 #include "base/random.h"
+#include "engines/sample/move.h"
 #include "tracegraph/address.h"
 #include "tracegraph/distribution.h"
 
@@ -9,19 +10,11 @@ namespace solitaire {
 
 /// A value that a choice might change to.
 struct Proposal {
-  enum class Move : std::uint8_t {
-    kPrior,      // drawn anew from the choice's distribution
-    kOther,      // one of the other values of a finite family, each alike
-    kNeighbour,  // an int close by
-    kWalk,       // a float close by, on a scale that is tuned
-  };
   TypedScalar value;
   /// log q(old | new) - log q(new | old), where q is the density with which the one proposes the other.
   double log_ratio = 0;
   Move move = Move::kPrior;
 };
-
-const char* name(Proposal::Move move);
 
 /// Proposes values for single choices, by what their distributions alone say.
 class Proposer {

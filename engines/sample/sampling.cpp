@@ -7,12 +7,15 @@
 #include "base/large_stack.h"
 #include "engines/sample/lightweight.h"
 #include "engines/sample/returned_numbers.h"
+#include "engines/sample/shred.h"
 
 namespace solitaire {
 namespace {
 
 std::unique_ptr<Chain> make_chain(const ChainProgram& own, const SamplingOptions& options,
                                   std::size_t number) {
+  if (options.engine == SamplingOptions::Engine::kShred)
+    return std::make_unique<ShredChain>(*own.program, *own.params, options.limits, options.seed, number);
   return std::make_unique<LightweightChain>(*own.program, *own.params, options.limits, options.seed, number);
 }
 
@@ -32,11 +35,12 @@ void run_chain(const ChainProgram& own, const SamplingOptions& options, std::siz
   chain->end_warmup();
   for (std::uint64_t i = 0; i < options.draws; ++i) {
     draw();
-    result.moves = chain->moves();
     std::vector<std::string> names;
     std::vector<double> numbers;
-    returned.read(chain->value(), names, numbers);
+    chain->read(returned, names, numbers);
     result.draws.add(names, numbers);
+    if (i + 1 == options.draws || (i & (i + 1)) == 0) result.moves = chain->moves();
+    result.slowed_by = chain->slowed_by();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engines/sample/chain.h"
@@ -16,8 +17,8 @@ struct ChainProgram {
 };
 
 struct SamplingOptions {
-  enum class Engine : std::uint8_t { kLightweight };
-  Engine engine = Engine::kLightweight;
+  enum class Engine : std::uint8_t { kShred, kLightweight };
+  Engine engine = Engine::kShred;
   std::uint64_t seed = 0;
   std::uint64_t draws = 1000;   // that are kept of each chain
   std::uint64_t warmup = 1000;  // draws of each chain before these, which are thrown away
@@ -29,7 +30,8 @@ struct SamplingOptions {
 struct ChainResult {
   DrawTable draws;
   MoveCounts moves;
-  bool stopped = false;  // by the limits' stop signal, before all draws were there
+  std::optional<Diagnostic> slowed_by;  // see Chain
+  bool stopped = false;                 // by the limits' stop signal, before all draws were there
 };
 
 /// Runs one chain for each program, each on a thread for it, at most `jobs` at a time. `drawn` is told after

@@ -72,5 +72,9 @@ TEST_CASE("each value comes as often as it is probable, with the lightweight eng
   for (const Counted& counted : kPrograms) check_frequencies(counted, Engine::kLightweight);
 }
 
+TEST_CASE("each value comes as often as it is probable, on traces") {
+  for (const Counted& counted : kPrograms) check_frequencies(counted, Engine::kShred);
+}
+
 }  // namespace
 }  // namespace solitaire

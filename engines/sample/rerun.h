@@ -1,0 +1,64 @@
+#pragma once
+#include <vector>
+
+#include "engines/sample/proposal.h"
+#include "solitaire/run/evaluator.h"
+
+namespace solitaire {
+
+/// An execution as the state of a chain.
+struct SampledState {
+  std::vector<MetChoice> choices;
+  std::vector<double> log_priors;  // one for each choice
+  double log_prior = 0;            // their sum
+  double log_weight = 0;           // of factors and wishes; minus infinity where it is ruled out
+  Value value;
+
+  double log_density() const { return log_prior + log_weight; }
+};
+
+/// Changes one choice of an execution by running the program again (Wingate, Stuhlmueller and Goodman 2011;
+/// section 2.3 of the dissertation). All other choices stay as they were, found by their addresses. Choices
+/// that are met for the first time are drawn from their distributions, and those not met any more are
+/// forgotten.
+class Rerun {
+ public:
+  /// The program, the params and the stream have to outlive it.
+  Rerun(const Program& program, const ParamValues& params, const Limits& limits, RandomStream& stream);
+
+  /// Draws executions from the distributions, and returns the one that explains best what is observed of a
+  /// few that are possible. Throws ProgramError if none is drawn.
+  SampledState start();
+  /// The state that is changed from now on, which has to stay where it is. To be called again after
+  /// restart().
+  void stand_at(const SampledState& state);
+  /// Proposes the execution in which a choice of the state, by its number, has another value. Returns the
+  /// logarithm of the ratio by which it is accepted: that of the densities, times that of the ways there and
+  /// back. It is minus infinity where the execution is impossible; then `proposed` is of no use.
+  double propose(std::size_t picked, const Proposal& proposal, SampledState& proposed);
+
+  /// Proposes another execution, all of whose choices are drawn anew, and returns the same.
+  double restart(SampledState& proposed);
+
+  AddressTable& addresses() { return addresses_; }
+
+ private:
+  class Answers;
+  static constexpr std::uint32_t kNowhere = UINT32_MAX;
+
+  bool draw(SampledState& state, std::optional<Rejection>& rejection);
+  static void take(Execution& execution, SampledState& state);
+  double forgotten() const;
+  std::uint32_t position(AddressId address) const {
+    return address.index < positions_.size() ? positions_[address.index] : kNowhere;
+  }
+
+  AddressTable addresses_;
+  Executor executor_;
+  RandomStream& stream_;
+  const SampledState* state_ = nullptr;
+  std::vector<std::uint32_t> positions_;  // in the state's choices, by address number
+  std::vector<bool> met_;                 // of the state's choices, by the proposed execution
+};
+
+}  // namespace solitaire

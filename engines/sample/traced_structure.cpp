@@ -1,0 +1,77 @@
+#include "engines/sample/traced_structure.h"
+
+#include <unordered_map>
+
+#include "solitaire/value/merge.h"
+
+namespace solitaire {
+namespace {
+
+/// Answers as a state does.
+class StateChoices : public Choices {
+ public:
+  explicit StateChoices(const SampledState& state) {
+    for (const MetChoice& choice : state.choices) values_.emplace(choice.address, choice.value);
+  }
+  std::optional<TypedScalar> answer(AddressId address, const Distribution&) override {
+    const auto found = values_.find(address);
+    if (found == values_.end()) return std::nullopt;
+    return found->second;
+  }
+  bool weighs() const override { return true; }
+
+ private:
+  std::unordered_map<AddressId, TypedScalar> values_;
+};
+
+/// The nodes of the numbers in a value, in the order in which ReturnedNumbers reads them.
+void collect_numbers(Graph& graph, const Value& value, std::vector<NodeId>& nodes) {
+  if (value.is<bool>() || value.is_number()) {
+    nodes.push_back(node_of(graph, value));
+  } else if (const List* list = value.as_list()) {
+    for (const Value& item : list->items) collect_numbers(graph, item, nodes);
+  } else if (const Record* record = value.object<Record>()) {
+    for (const Value& field : record->fields) collect_numbers(graph, field, nodes);
+  }
+}
+
+std::vector<Form> forms_of(const Kernel& kernel) {
+  std::vector<Form> forms;
+  const ScoreProgram& program = kernel.program();
+  for (ChoiceNumber i = 0; i < program.choices.size(); ++i)
+    forms.push_back(form_of(program, program.choices[i], kernel.slice(i)));
+  return forms;
+}
+
+}  // namespace
+
+TracedStructure trace_structure(const Program& program, const ParamValues& params, const SampledState& state,
+                                AddressTable& addresses, const Limits& limits,
+                                const ReturnedNumbers& returned) {
+  Graph graph;
+  StateChoices choices(state);
+  TracedExecution traced = trace_execution(program, params, choices, graph, addresses, limits);
+  std::vector<NodeId> path;
+  for (const PathCondition& condition : traced.path) path.push_back(condition.holds);
+  std::vector<NodeId> numbers;
+  collect_numbers(graph, traced.execution.value, numbers);
+  Kernel kernel(score_program(graph, traced.trace, path, numbers));
+  std::vector<std::string> names;
+  std::vector<double> values;
+  returned.read(plain(traced.execution.value), names, values);
+  std::vector<Form> forms = forms_of(kernel);
+  return {std::move(kernel), std::move(forms), std::move(names)};
+}
+
+bool TracedStructure::load(const SampledState& state) {
+  const auto& choices = kernel.program().choices;
+  if (choices.size() != state.choices.size()) return false;
+  std::vector<Scalar> values;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (choices[i].address != state.choices[i].address) return false;
+    values.push_back(state.choices[i].value.scalar());
+  }
+  return kernel.load(values) == Kernel::Outcome::kScored;
+}
+
+}  // namespace solitaire

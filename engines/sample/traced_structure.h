@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engines/sample/rerun.h"
+#include "engines/sample/returned_numbers.h"
+#include "kernel/forms.h"
+#include "kernel/kernel.h"
+
+namespace solitaire {
+
+/// The executions that take one path, as a kernel.
+struct TracedStructure {
+  Kernel kernel;
+  std::vector<Form> forms;         // of the choices
+  std::vector<std::string> names;  // of the numbers that the program returns, which are the kernel's outputs
+
+  /// Returns true if an execution with these choices takes this path; then the kernel has its values.
+  bool load(const SampledState& state);
+};
+
+/// Traces the execution that is the state. Throws ProgramError where the trace cannot say what the program
+/// does, as where an int could grow past 62 bits.
+TracedStructure trace_structure(const Program& program, const ParamValues& params, const SampledState& state,
+                                AddressTable& addresses, const Limits& limits,
+                                const ReturnedNumbers& returned);
+
+}  // namespace solitaire

@@ -1,0 +1,104 @@
+#include "kernel/kernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/machine.h"
+
+namespace solitaire {
+namespace {
+
+/// After so many changes the score is computed anew: rounding lets a running sum drift, by 1e-11 in a million
+/// steps.
+constexpr std::uint64_t kRescoreEvery = std::uint64_t{1} << 20;
+
+/// A bool is an int of 0 or 1.
+double number(Scalar value, Type type) {
+  return type == Type::kFloat ? value.f : static_cast<double>(value.i);
+}
+
+}  // namespace
+
+Kernel::Kernel(ScoreProgram program) : program_(std::move(program)), slices_(slices_of(program_)) {
+  std::size_t longest = 0;
+  for (const Slice& slice : slices_) longest = std::max(longest, slice.changes.size());
+  cells_ = program_.cells;
+  cells_.resize(program_.cells.size() + longest);
+}
+
+Kernel::Outcome Kernel::load(const std::vector<Scalar>& values) {
+  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i)
+    if (program_.choices[i].cell != kNoCell) cells_[program_.choices[i].cell] = values[i];
+  proposed_bits_.reset();
+  return score_all();
+}
+
+Kernel::Outcome Kernel::score_all() {
+  const bool made = run(program_.code, cells_.data());
+  const auto holds = [&](Cell cell) { return cells_[cell].i != 0; };
+  if (!made || !std::all_of(program_.assumed.begin(), program_.assumed.end(), holds))
+    return Outcome::kLeavesTrace;
+  if (!std::all_of(program_.required.begin(), program_.required.end(), holds)) return Outcome::kImpossible;
+  log_score_ = program_.constant;
+  for (const Cell term : program_.terms) log_score_ += cells_[term].f;
+  if (std::isnan(log_score_)) return Outcome::kLeavesTrace;
+  return log_score_ > -HUGE_VAL ? Outcome::kScored : Outcome::kImpossible;
+}
+
+/// What was proposed last stands in the slice's cells still, so to propose it again takes no time.
+Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
+  if (proposed_ == choice && proposed_bits_ == bits_of(value)) return outcome_;
+  proposed_ = choice;
+  proposed_bits_ = bits_of(value);
+  cells_[program_.cells.size()] = value;
+  return outcome_ = score_slice(slices_[choice]);
+}
+
+Kernel::Outcome Kernel::score_slice(const Slice& slice) {
+  const bool made = run(slice.code, cells_.data());
+  const auto holds = [&](Cell cell) { return cells_[cell].i != 0; };
+  if (!made || !std::all_of(slice.assumed.begin(), slice.assumed.end(), holds)) return Outcome::kLeavesTrace;
+  if (!std::all_of(slice.required.begin(), slice.required.end(), holds)) return Outcome::kImpossible;
+  difference_ = 0;
+  for (const auto& [present, proposed] : slice.terms) difference_ += cells_[proposed].f - cells_[present].f;
+  if (std::isnan(difference_)) return Outcome::kLeavesTrace;
+  return difference_ > -HUGE_VAL ? Outcome::kScored : Outcome::kImpossible;
+}
+
+void Kernel::accept() {
+  for (const auto& [present, proposed] : slices_[proposed_].changes) cells_[present] = cells_[proposed];
+  log_score_ += difference_;
+  proposed_bits_.reset();
+  if (++accepted_ % kRescoreEvery == 0) score_all();
+}
+
+Scalar Kernel::value(ChoiceNumber choice) const {
+  const ScoreProgram::Choice& at = program_.choices[choice];
+  return at.cell == kNoCell ? at.only_value : cells_[at.cell];
+}
+
+Distribution Kernel::distribution(ChoiceNumber choice) const {
+  const ScoreProgram::Choice& at = program_.choices[choice];
+  Distribution made = at.distribution;
+  const auto parameter = [&](std::size_t i) { return cells_[at.parameters[i]]; };
+  if (!made.weights.empty()) {
+    for (std::size_t i = 0; i < made.weights.size(); ++i) made.weights[i] = parameter(i).f;
+  } else if (made.family == Distribution::Family::kRange || made.family == Distribution::Family::kIndex) {
+    made.lo = parameter(0).i;
+    made.step = parameter(2).i;
+    made.hi = parameter(1).i - (parameter(1).i - made.lo) % made.step;
+  } else {
+    made.a = parameter(0).f;
+    if (at.parameters.size() > 1) made.b = parameter(1).f;
+  }
+  return made;
+}
+
+std::vector<double> Kernel::outputs() {
+  run(program_.output_code, cells_.data());
+  std::vector<double> values;
+  for (const Cell cell : program_.outputs) values.push_back(number(cells_[cell], program_.types[cell]));
+  return values;
+}
+
+}  // namespace solitaire

@@ -1,0 +1,65 @@
+#pragma once
+#include <bit>
+#include <optional>
+#include <vector>
+
+#include "kernel/score_program.h"
+#include "kernel/slice.h"
+
+namespace solitaire {
+
+/// By which two values of one type are the same; of floats also where they are NaN.
+inline std::int64_t bits_of(Scalar value) { return std::bit_cast<std::int64_t>(value); }
+
+/// The number of a choice in a ScoreProgram.
+using ChoiceNumber = std::size_t;
+
+/// A ScoreProgram at work: values of its choices, with the density that they have, and what becomes of the
+/// density when one of them changes.
+class Kernel {
+ public:
+  enum class Outcome : std::uint8_t {
+    kScored,       // difference() says how much the logarithm of the density changes
+    kImpossible,   // the density is 0
+    kLeavesTrace,  // the execution takes another path, or an operation has no value: the program has to be
+                   // run
+  };
+
+  explicit Kernel(ScoreProgram program);
+
+  const ScoreProgram& program() const { return program_; }
+  const Slice& slice(ChoiceNumber choice) const { return slices_[choice]; }
+
+  /// Sets all choices, each to a value of its type, and computes everything anew.
+  Outcome load(const std::vector<Scalar>& values);
+  /// What a change of one choice would do. The present values stay until accept() takes the change over.
+  Outcome propose(ChoiceNumber choice, Scalar value);
+  double difference() const { return difference_; }
+  /// Takes over the change that was proposed last, which has to have been scored.
+  void accept();
+
+  /// The logarithm of the present density. Differences are added up, so it is computed anew now and then.
+  double log_score() const { return log_score_; }
+  Scalar value(ChoiceNumber choice) const;
+  /// The choice's distribution with the present values of its parameters.
+  Distribution distribution(ChoiceNumber choice) const;
+  /// The values of the program's outputs under the present choices.
+  std::vector<double> outputs();
+
+ private:
+  Outcome score_all();
+
+  ScoreProgram program_;
+  std::vector<Slice> slices_;
+  std::vector<Scalar> cells_;  // the program's, and behind them room for the longest slice
+  Outcome score_slice(const Slice& slice);
+
+  ChoiceNumber proposed_ = 0;
+  std::optional<std::int64_t> proposed_bits_;  // of the value that was proposed last, unless all has changed since
+  Outcome outcome_ = Outcome::kScored;
+  double difference_ = 0;
+  double log_score_ = 0;
+  std::uint64_t accepted_ = 0;
+};
+
+}  // namespace solitaire

@@ -1,0 +1,140 @@
+#include "kernel/score_program.h"
+
+#include <algorithm>
+
+#include "tracegraph/density.h"
+
+namespace solitaire {
+namespace {
+
+/// What of a trace counts, as nodes.
+struct Demands {
+  std::vector<NodeId> terms;
+  std::vector<NodeId> required;
+  std::vector<NodeId> assumed;
+};
+
+NodeId guarded(Graph& graph, NodeId guard, NodeId term) {
+  return guard == kTrue ? term : graph.phi(guard, term, graph.constant(0.0));
+}
+
+void add_choice(Graph& graph, const TraceChoice& choice, Demands& demands) {
+  demands.required.push_back(
+      graph.implication(choice.guard, in_support(graph, choice.domain, choice.parameters, choice.variable)));
+  const NodeId density = log_density(graph, choice.domain, choice.parameters, choice.variable);
+  demands.terms.push_back(guarded(graph, choice.guard, density));
+}
+
+void add_soft_term(Graph& graph, const Term& term, Demands& demands) {
+  NodeId log_weight = term.node;
+  if (term.strength == Term::Strength::kCost)
+    log_weight = graph.apply(Op::kNegFloat, {graph.apply(Op::kToFloat, {term.node})});
+  demands.terms.push_back(guarded(graph, term.guard, log_weight));
+}
+
+Demands demands_of(Graph& graph, const Trace& trace, std::span<const NodeId> path) {
+  Demands demands;
+  for (const TraceChoice& choice : trace.choices) add_choice(graph, choice, demands);
+  for (const Term& term : trace.soft_terms) add_soft_term(graph, term, demands);
+  for (const Term& term : trace.hard_terms)
+    demands.required.push_back(graph.implication(term.guard, term.node));
+  demands.assumed.assign(path.begin(), path.end());
+  return demands;
+}
+
+/// Numbers nodes as cells.
+class Cells {
+ public:
+  Cells(const Graph& graph, ScoreProgram& program)
+      : graph_(graph), program_(program), cell_of_(graph.size(), kNoCell), live_(graph.size(), false) {}
+
+  void need(std::span<const NodeId> nodes) {
+    for (const NodeId node : nodes) live_[node.index] = true;
+  }
+
+  /// Gives cells to all that is needed and has none yet, and writes the code that makes them. Nodes are made
+  /// after their operands, so one pass down finds what is needed and one up writes it.
+  void write(std::vector<Instruction>& code) {
+    for (std::size_t i = graph_.size(); i-- > 0;)
+      if (live_[i]) need(graph_.node({static_cast<std::uint32_t>(i)}).args());
+    for (std::uint32_t i = 0; i < graph_.size(); ++i) {
+      if (!live_[i] || cell_of_[i] != kNoCell) continue;
+      const Graph::Node& node = graph_.node({i});
+      cell_of_[i] = add_cell(node, {i});
+      if (node.args().empty()) continue;
+      Instruction made{node.op, cell_of_[i], {}};
+      for (std::size_t k = 0; k < node.args().size(); ++k) made.operands[k] = of(node.args()[k]);
+      code.push_back(made);
+    }
+  }
+
+  Cell of(NodeId node) const { return cell_of_[node.index]; }
+  std::vector<Cell> of(std::span<const NodeId> nodes) const {
+    std::vector<Cell> cells;
+    for (const NodeId node : nodes) cells.push_back(of(node));
+    return cells;
+  }
+
+ private:
+  Cell add_cell(const Graph::Node& node, NodeId id) {
+    program_.cells.push_back(node.is_constant() ? graph_.scalar(id) : Scalar{});
+    program_.types.push_back(node.type());
+    return static_cast<Cell>(program_.cells.size() - 1);
+  }
+
+  const Graph& graph_;
+  ScoreProgram& program_;
+  std::vector<Cell> cell_of_;
+  std::vector<bool> live_;
+};
+
+/// Constants that hold are left out, and each node is kept once.
+std::vector<NodeId> open_conditions(std::vector<NodeId> conditions) {
+  std::sort(conditions.begin(), conditions.end(), [](NodeId a, NodeId b) { return a.index < b.index; });
+  conditions.erase(std::unique(conditions.begin(), conditions.end()), conditions.end());
+  std::erase(conditions, kTrue);
+  return conditions;
+}
+
+/// Takes constant terms out and returns their sum.
+double take_constants(const Graph& graph, std::vector<NodeId>& terms) {
+  double sum = 0;
+  for (const NodeId term : terms)
+    if (graph.node(term).is_constant()) sum += graph.scalar(term).f;
+  std::erase_if(terms, [&](NodeId term) { return graph.node(term).is_constant(); });
+  return sum;
+}
+
+}  // namespace
+
+ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const NodeId> path,
+                           std::span<const NodeId> outputs) {
+  Demands demands = demands_of(graph, trace, path);
+  ScoreProgram program;
+  program.constant = take_constants(graph, demands.terms);
+  demands.required = open_conditions(std::move(demands.required));
+  demands.assumed = open_conditions(std::move(demands.assumed));
+  Cells cells(graph, program);
+  for (const std::vector<NodeId>* needed : {&demands.terms, &demands.required, &demands.assumed})
+    cells.need(*needed);
+  for (const TraceChoice& choice : trace.choices) {
+    cells.need(std::span(&choice.variable, 1));
+    cells.need(choice.parameters);
+  }
+  cells.write(program.code);
+  program.terms = cells.of(demands.terms);
+  program.required = cells.of(demands.required);
+  program.assumed = cells.of(demands.assumed);
+  for (const TraceChoice& choice : trace.choices) {
+    const bool open = is_choice(graph.node(choice.variable).op);
+    const Scalar only = open ? Scalar{} : graph.scalar(choice.variable);
+    program.choices.push_back({open ? cells.of(choice.variable) : kNoCell, choice.address, choice.domain,
+                               cells.of(choice.parameters), only});
+  }
+  cells.need(outputs);
+  cells.write(program.output_code);
+  program.outputs = cells.of(outputs);
+  return program;
+}
+
+}  // namespace solitaire

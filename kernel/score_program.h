@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "tracegraph/graph.h"
+#include "tracegraph/trace.h"
+
+namespace solitaire {
+
+/// A place for a value of a ScoreProgram. Operands have smaller numbers than what is made of them.
+using Cell = std::uint32_t;
+inline constexpr Cell kNoCell = UINT32_MAX;
+
+/// Computes a cell from others. Operands that the operation does not have are 0.
+struct Instruction {
+  Op op;
+  Cell result;
+  std::array<Cell, 3> operands;
+};
+
+/// The density of executions as a program without control flow, for the executions that take one path: made
+/// of a trace's graph, with all that the density does not depend on left out (section 3.4 of the
+/// dissertation).
+///
+/// The density's logarithm is the sum of `terms` and `constant`, where every cell of `required` is true; else
+/// the execution is impossible. All of this holds only where every cell of `assumed` is true: elsewhere the
+/// execution takes another path, of which this program knows nothing.
+struct ScoreProgram {
+  struct Choice {
+    Cell cell;  // kNoCell for a choice with one value alone
+    AddressId address;
+    Distribution distribution;     // with the parameters that it had when it was traced
+    std::vector<Cell> parameters;  // as of log_density() (tracegraph/density.h)
+    Scalar only_value;             // of a choice without a cell
+  };
+
+  std::vector<Scalar> cells;  // constants have their values, all others wait to be set or computed
+  std::vector<Type> types;    // of the cells
+  std::vector<Choice> choices;
+  std::vector<Instruction> code;  // in the order of results; makes what the density depends on
+  std::vector<Cell> terms;        // floats
+  std::vector<Cell> required;     // bools
+  std::vector<Cell> assumed;      // bools
+  double constant = 0;
+  /// Makes the outputs, once `code` has run.
+  std::vector<Instruction> output_code;
+  std::vector<Cell> outputs;
+
+  bool impossible() const { return constant == -std::numeric_limits<double>::infinity(); }
+};
+
+/// Makes the program of a traced execution. `path` is what its branches followed, and `outputs` are nodes
+/// whose values are asked for. Adds nodes for densities to the graph.
+ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const NodeId> path,
+                           std::span<const NodeId> outputs);
+
+}  // namespace solitaire

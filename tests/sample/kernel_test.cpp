@@ -1,0 +1,210 @@
+// The laws of the kernel: it scores as the program does, a slice is all that changes, what is refused changes
+// nothing, and forms are what the score looks like along a choice.
+#include "kernel/kernel.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+#include "engines/sample/conditional.h"
+#include "engines/sample/rerun.h"
+#include "engines/sample/traced_structure.h"
+#include "kernel/forms.h"
+#include "kernel/machine.h"
+#include "tests/sample/enumeration.h"
+
+namespace solitaire {
+namespace {
+
+using Scored = Kernel::Outcome;
+
+constexpr const char* kTexts[] = {
+    "m = normal(0, 3); s = gamma(2, 1); for y in [0.5, 1.5, 2.0]: observe(Normal(m, precision: s), y); "
+    "return m, s;",
+    "p = dirichlet([1, 2, 0.5]); k = [categorical(p) for i in 1..3]; q = [beta(1, 2) for i in 1..3];"
+    "for i in 0..2: observe(Flip(q[k[i]]), i != 1); return p, k;",
+    "n = range(1, 4); x = [uniform(0, n) for i in 1..2]; assert(x[0] + x[1] < 3); factor(-pow(x[0] - x[1], "
+    "2));"
+    "return n, x;",
+    "r = exponential(2); c = poisson(r + 1); g = geometric(0.3); observe(Poisson(exp(0.1 * g) + c), 4);"
+    "return if c > 1 then r else -r;",
+    "a = flip(0.3); b = normal(cond(a, 1, -1), 1); prefer(b > 0, 2); return max(b, 0.5), floor(b);",
+};
+
+/// A program with an execution that is drawn, and its trace.
+struct Traced {
+  explicit Traced(const char* text, std::uint64_t seed)
+      : program(sampled_program(text)),
+        stream(seed, Purpose::kSample, 1),
+        rerun(program, params, {}, stream),
+        state(rerun.start()),
+        structure(trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program))) {
+    REQUIRE(structure.load(state));
+    rerun.stand_at(state);
+  }
+  Kernel& kernel() { return structure.kernel; }
+
+  ParamValues params;
+  Program program;
+  RandomStream stream;
+  Rerun rerun;
+  SampledState state;
+  TracedStructure structure;
+};
+
+TEST_CASE("kernel: the score is that of the execution, and outputs are what it returns") {
+  for (const char* text : kTexts) {
+    for (std::uint64_t seed = 1; seed < 6; ++seed) {
+      INFO(text);
+      Traced traced(text, seed);
+      CHECK(traced.kernel().log_score() == doctest::Approx(traced.state.log_density()).epsilon(1e-12));
+      std::vector<std::string> names;
+      std::vector<double> numbers;
+      ReturnedNumbers(traced.program).read(plain(traced.state.value), names, numbers);
+      CHECK(traced.structure.names == names);
+      CHECK(traced.kernel().outputs() == numbers);
+    }
+  }
+}
+
+/// Proposals of each choice, by the program and by the kernel.
+TEST_CASE(
+    "kernel: a proposal is scored as by running the program, and changes nothing until it is accepted") {
+  std::size_t scored = 0, impossible = 0, left = 0;
+  for (const char* text : kTexts) {
+    for (std::uint64_t seed = 1; seed < 8; ++seed) {
+      INFO(text);
+      Traced traced(text, seed);
+      Kernel& kernel = traced.kernel();
+      Proposer proposer(traced.stream);
+      for (std::size_t i = 0; i < traced.state.choices.size(); ++i) {
+        const MetChoice& choice = traced.state.choices[i];
+        CHECK(kernel.distribution(i) == choice.domain);
+        const Proposal proposal = proposer.propose(choice.address, choice.domain, choice.value);
+        if (!choice.domain.contains(proposal.value) || kernel.program().choices[i].cell == kNoCell) continue;
+        SampledState proposed;
+        const double log_ratio = traced.rerun.propose(i, proposal, proposed);
+        const double before = kernel.log_score();
+        const Scored outcome = kernel.propose(i, proposal.value.scalar());
+        CHECK(kernel.log_score() == before);
+        CHECK(traced.structure.load(traced.state));
+        CHECK(kernel.log_score() == before);
+        if (outcome == Scored::kLeavesTrace) {
+          ++left;
+        } else if (outcome == Scored::kImpossible) {
+          ++impossible;
+          CHECK(log_ratio == -HUGE_VAL);
+        } else {
+          ++scored;
+          REQUIRE(kernel.propose(i, proposal.value.scalar()) == Scored::kScored);
+          CHECK(kernel.difference() + proposal.log_ratio == doctest::Approx(log_ratio).epsilon(1e-9));
+          kernel.accept();
+          CHECK(kernel.log_score() == doctest::Approx(proposed.log_density()).epsilon(1e-9));
+          CHECK(traced.structure.load(proposed));
+          CHECK(traced.structure.load(traced.state));
+        }
+      }
+    }
+  }
+  CHECK(scored > 50);
+  CHECK(impossible > 0);
+  CHECK(left > 0);
+}
+
+TEST_CASE("kernel: after many accepted changes every cell is as if computed anew") {
+  Traced traced(kTexts[1], 3);
+  Kernel& kernel = traced.kernel();
+  for (int step = 0; step < 500; ++step) {
+    const ChoiceNumber choice = traced.stream.below(kernel.program().choices.size());
+    const Scalar value = kernel.distribution(choice).sample(traced.stream).scalar();
+    if (kernel.propose(choice, value) == Scored::kScored) kernel.accept();
+  }
+  const double running = kernel.log_score();
+  std::vector<Scalar> values;
+  for (ChoiceNumber i = 0; i < kernel.program().choices.size(); ++i) values.push_back(kernel.value(i));
+  REQUIRE(kernel.load(values) == Scored::kScored);
+  CHECK(running == doctest::Approx(kernel.log_score()).epsilon(1e-11));
+}
+
+std::vector<Form> forms_of(const char* text) { return Traced(text, 2).structure.forms; }
+
+TEST_CASE("forms: conjugate choices are known, also where the form is hidden, and others are not") {
+  using enum Form;
+  CHECK(forms_of(kTexts[0]) == std::vector{kNormal, kGamma});
+  CHECK(forms_of("t = gamma(1, 1); observe(Normal(0, 1 / sqrt(t)), 0.7); return t;") == std::vector{kGamma});
+  CHECK(forms_of("m = normal(0, 1); observe(Normal(2 * m + 1, 2), 0.7); return m;") == std::vector{kNormal});
+  CHECK(forms_of("m = normal(0, 1); observe(Normal(m * m, 2), 0.7); return m;") == std::vector{kUnknown});
+  CHECK(forms_of("s = exponential(1); observe(Normal(0, s), 0.7); return s;") == std::vector{kUnknown});
+  CHECK(forms_of("r = gamma(2, 1); observe(Poisson(3 * r), 4); return r;") == std::vector{kGamma});
+  CHECK(forms_of("p = uniform(0, 1); observe(Flip(1 - p), true); return p;") == std::vector{kBeta});
+  CHECK(forms_of("p = uniform(0, 2); observe(Flip(p / 2), true); return p;") == std::vector{kUnknown});
+  CHECK(forms_of("a = flip(); m = normal(0, 1); observe(Normal(cond(a, m, 3 * m), 2), 0.7); return m;") ==
+        std::vector{kUnknown, kNormal});
+  CHECK(forms_of("m = normal(0, 1); observe(Normal(if m > 0 then 1 else 2, 2), 0.7); return m;") ==
+        std::vector{kUnknown});
+}
+
+/// The mean and standard deviation of draws of the first choice, all else being fixed.
+std::pair<double, double> moments(const char* text) {
+  Traced traced(text, 4);
+  double sum = 0, squares = 0;
+  constexpr int kDraws = 20'000;
+  for (int i = 0; i < kDraws; ++i) {
+    const auto value = draw_of_form(traced.kernel(), 0, traced.structure.forms[0], traced.stream);
+    REQUIRE(value);
+    REQUIRE(traced.kernel().propose(0, *value) == Scored::kScored);
+    traced.kernel().accept();
+    sum += value->f;
+    squares += value->f * value->f;
+  }
+  const double mean = sum / kDraws;
+  return {mean, std::sqrt(squares / kDraws - mean * mean)};
+}
+
+TEST_CASE("forms: values drawn from them have the moments of the exact posterior") {
+  // A normal prior with precision 1/9, three observations with precision 4 and mean 2.
+  const auto [m, m_sd] =
+      moments("m = normal(0, 3); for y in [1, 2, 3]: observe(Normal(m, 0.5), y); return m;");
+  const double precision = 1.0 / 9 + 12;
+  CHECK(m == doctest::Approx(24 / precision).epsilon(0.01));
+  CHECK(m_sd == doctest::Approx(1 / std::sqrt(precision)).epsilon(0.02));
+  // Gamma(2, 1) and Poisson counts 3 and 5 of twice the rate: Gamma(10, 5).
+  const auto [r, r_sd] = moments("r = gamma(2, 1); for c in [3, 5]: observe(Poisson(2 * r), c); return r;");
+  CHECK(r == doctest::Approx(10.0 / 5).epsilon(0.01));
+  CHECK(r_sd == doctest::Approx(std::sqrt(10.0) / 5).epsilon(0.02));
+  // Beta(1, 1), two heads and a tail: Beta(3, 2).
+  const auto [p, p_sd] =
+      moments("p = uniform(0, 1); for x in [true, true, false]: observe(Flip(p), x); return p;");
+  CHECK(p == doctest::Approx(0.6).epsilon(0.01));
+  CHECK(p_sd == doctest::Approx(0.2).epsilon(0.02));
+}
+
+TEST_CASE("machine: every operation gives what it means on constants") {
+  const double floats[] = {-2.5, -1, 0, 0.5, 1, 3, 1e10};
+  const std::int64_t ints[] = {-7, -1, 0, 1, 2, 9};
+  const auto value = [&](Type type, std::size_t i) {
+    if (type == Type::kFloat) return Scalar::of(floats[i % 7]);
+    return Scalar::of(type == Type::kBool ? static_cast<std::int64_t>(i % 2) : ints[i % 6]);
+  };
+  for (const Operation& row : kOperations) {
+    if (row.fold == nullptr) continue;
+    INFO(row.name);
+    for (std::size_t i = 0; i < 42; ++i) {
+      for (std::size_t j = 0; j < 42; ++j) {
+        const bool selects = row.arity == 3;
+        Scalar cells[4] = {selects ? Scalar::of(static_cast<std::int64_t>(i % 2)) : value(row.operand, i),
+                           value(row.operand, j),
+                           value(row.operand, i / 2),
+                           {}};
+        const auto folded = row.fold(cells);
+        const Instruction step{row.op, 3, {0, 1, 2}};
+        const bool made = run({&step, 1}, cells);
+        if (!folded) continue;
+        CHECK(made);
+        CHECK(cells[3].i == folded->i);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace solitaire

@@ -1,0 +1,83 @@
+// The models of examples/sampling/ have the exact answers that counting and numerical integration give,
+// within four standard errors of drawing.
+#include <cmath>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/command.h"
+
+namespace solitaire {
+namespace {
+
+struct Model {
+  const char* script;
+  std::vector<std::string> options;
+  std::map<std::string, double> means;
+};
+
+void check(const Model& model) {
+  INFO(model.script);
+  const auto script = std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "examples/sampling" / model.script;
+  std::vector<std::string> arguments = {"sample", script, "--json", "-q"};
+  arguments.insert(arguments.end(), model.options.begin(), model.options.end());
+  const Outcome outcome = run_solitaire(arguments);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto summary = nlohmann::json::parse(outcome.out);
+  std::size_t found = 0;
+  for (const auto& parameter : summary["parameters"]) {
+    const auto expected = model.means.find(parameter["name"]);
+    if (expected == model.means.end()) continue;
+    ++found;
+    CAPTURE(expected->first);
+    const double mean = parameter["mean"];
+    // What is rarer than one in thousands hardly shows, and then does not tell how exact its mean is.
+    const bool rare = expected->second < 2e-3 || std::abs(1 - expected->second) < 2e-3;
+    const double floor = rare ? 3e-3 : 0;
+    CHECK(std::abs(mean - expected->second) <= std::max(4 * parameter["mcse"].get<double>(), floor));
+    if (!rare) CHECK(parameter["ess_bulk"].get<double>() > 150);
+  }
+  CHECK(found == model.means.size());
+}
+
+TEST_CASE("models: exact answers, on traces") {
+  const Model models[] = {
+      {"regression.sol", {"-n", "4000"}, {{"slope", 2.00886}, {"intercept", 1.00034}}},
+      {"mixture.sol",
+       {"-n", "8000"},
+       {{"kind[0] == kind[1]", 0.90658}, {"kind[0] == kind[2]", 0.000717}, {"kind[2] == kind[3]", 0.90658}}},
+      {"infinite_mixture.sol",
+       {"-n", "8000"},
+       {{"seat[0] == seat[1]", 0.81397}, {"seat[0] == seat[2]", 0.000887}, {"number_of_kinds", 2.36984}}},
+      {"citations.sol",
+       {"-n", "2000"},
+       {{"paper[0] == paper[1]", 0.99980},
+        {"paper[3] == paper[4]", 0.99888},
+        {"paper[0] == paper[3]", 4.91e-4}}},
+      {"sum_or_product.sol", {"-n", "8000"}, {{"added", 0.70831}}},
+      {"polynomial.sol",
+       {"-n", "8000"},
+       {{"degree == 2", 0.74827}, {"degree == 3", 0.19214}, {"degree == 4", 0.05959}}},
+      {"ising.sol",
+       {"-n", "4000", "--set", "n=20", "--set", "coupling=1.0"},
+       {{"unequal", 19 / (1 + std::exp(1))}}},
+  };
+  for (const Model& model : models) check(model);
+}
+
+TEST_CASE("models: the published answers for rats, on traces (slow)") {
+  check({"rats.sol",
+         {"-n", "1600", "--warmup", "4000"},
+         {{"alpha_c", 242.65}, {"beta_c", 6.186}, {"1 / sqrt(tau)", 6.09}}});
+}
+
+TEST_CASE("models: exact answers, by running the program for each step") {
+  check({"sum_or_product.sol", {"-n", "4000", "--engine", "lightweight"}, {{"added", 0.70831}}});
+}
+
+}  // namespace
+}  // namespace solitaire
