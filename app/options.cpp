@@ -89,6 +89,9 @@ void add_program_options(CLI::App& command, Options& options) {
   add_repeatable(command, "--set", options.settings,
                  "set a param of the program: NAME=VALUE; can be given several times")
       ->check(CLI::Validator(check_setting, "NAME=VALUE"));
+  add_repeatable(command, "--data", options.data,
+                 "set a param of the program to what a .json or .csv file holds: NAME=FILE")
+      ->check(CLI::Validator(check_setting, "NAME=FILE"));
   command.add_option("--seed", options.search.seed,
                      "same seed, program and options: same output (default 0)");
   command
@@ -216,12 +219,17 @@ void add_sample_options(CLI::App& command, Options& options) {
       ->type_name("N");
   number("--thin", sampling.thin, "sweeps over all choices from one draw to the next (default 1)");
   command
-      .add_option("--engine", sampling.engine, "how to draw: lightweight (each step runs the program again)")
+      .add_option("--engine", sampling.engine,
+                  "how to draw: shred (default: a step computes anew what depends on it), or lightweight (a "
+                  "step runs the program again)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, SampleOptions::Engine>{
+                                              {"shred", SampleOptions::Engine::kShred},
                                               {"lightweight", SampleOptions::Engine::kLightweight}})
-                      .description("lightweight"));
+                      .description("shred|lightweight"));
   command.add_option("--draws", options.draws_file, "write the draws as a table, a row each")
       ->type_name("FILE.csv");
+  command.add_option("--report", options.report_file, "write a page with pictures of the draws")
+      ->type_name("FILE.html");
   sampling.jobs = std::max(1U, std::thread::hardware_concurrency());
   command
       .add_option(

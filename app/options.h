@@ -29,6 +29,7 @@ struct TilesOptions;
 struct Options {
   std::string script;
   std::vector<std::string> settings;   // NAME=VALUE
+  std::vector<std::string> data;       // NAME=FILE
   SearchOptions search;                // without pins; Session adds them
   std::vector<std::string> pins;       // ADDRESS=VALUE
   std::vector<std::string> forbidden;  // ADDRESS=VALUE
@@ -49,6 +50,7 @@ struct Options {
   CountOptions counting;
   SampleOptions sampling;
   std::optional<std::filesystem::path> draws_file;
+  std::optional<std::filesystem::path> report_file;
   std::shared_ptr<TilesOptions> tiles;  // of the subcommand tiles
 };
 

@@ -45,6 +45,7 @@ ExitStatus sample_command(const Options& options, Watchdog& watchdog) {
   const auto lock = watchdog.delivering();
   progress.end();
   if (options.draws_file) sampler.write_draws(*options.draws_file);
+  if (options.report_file) sampler.write_report(*options.report_file, summary);
   print_result(options.json ? to_json(summary) + "\n" : to_text(summary));
   if (!options.quiet) tell(account(summary));
   if (!asked.stop.stopped()) return watchdog.conclude(kDelivered);

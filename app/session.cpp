@@ -19,6 +19,10 @@ Program load(const Options& options) {
     const std::size_t sign = setting.find('=');
     program.set(setting.substr(0, sign), setting.substr(sign + 1));
   }
+  for (const std::string& data : options.data) {
+    const std::size_t sign = data.find('=');
+    program.set_from_file(data.substr(0, sign), data.substr(sign + 1));
+  }
   return program;
 }
 

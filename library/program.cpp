@@ -1,6 +1,7 @@
 #include <solitaire/program.h>
 
 #include "base/installation.h"
+#include "library/data_file.h"
 #include "library/program_files.h"
 #include "library/program_state.h"
 #include "library/translate.h"
@@ -74,6 +75,10 @@ void Program::set(const std::string& param, const std::string& value) {
   settings.emplace_back(param, value);
   values_of_params(*state_, settings);
   settings_ = std::move(settings);
+}
+
+void Program::set_from_file(const std::string& param, const std::filesystem::path& path) {
+  set(param, constant_of_file(path));
 }
 
 std::vector<std::string> Program::params() const {

@@ -9,6 +9,7 @@
 #include "engines/sample/sampling.h"
 #include "engines/tuning.h"
 #include "library/program_state.h"
+#include "library/sample_report.h"
 #include "library/stop_access.h"
 #include "library/translate.h"
 #include "scene/atomic_file.h"
@@ -18,6 +19,8 @@ namespace {
 
 SamplingOptions sampling_of(const SampleOptions& options) {
   SamplingOptions sampling;
+  if (options.engine == SampleOptions::Engine::kLightweight)
+    sampling.engine = SamplingOptions::Engine::kLightweight;
   sampling.seed = options.seed;
   sampling.draws = (options.draws + options.chains - 1) / options.chains;
   sampling.warmup = options.warmup.value_or(std::clamp<std::uint64_t>(sampling.draws, 500, 5000));
@@ -156,6 +159,16 @@ class Sampler::State {
     translated(program_.state().program.sources, [&] { write_file_atomically(path, draws_text()); });
   }
 
+  void write_report(const std::filesystem::path& path, const SampleSummary& summary) const {
+    translated(program_.state().program.sources, [&] {
+      const std::vector<const DrawTable*> tables = comparable(chains_);
+      std::vector<ReportedNumber> numbers;
+      for (const SampledNumber& each : summary.parameters)
+        numbers.push_back({each, draws_of(each.name, tables)});
+      write_file_atomically(path, report_page(program_.file_name(), summary, numbers));
+    });
+  }
+
  private:
   void draw(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
     const SamplingOptions sampling = sampling_of(options_);
@@ -189,8 +202,19 @@ class Sampler::State {
       }
     }
     add_moves(chains_, summary);
+    add_slowness(summary);
     add_warnings(summary, partial, stopped);
     return summary;
+  }
+
+  void add_slowness(SampleSummary& summary) const {
+    for (const ChainResult& chain : chains_) {
+      if (!chain.slowed_by) continue;
+      summary.warnings.push_back(fmt::format(
+          "each step runs the program again, which is slow, since at {}: {}",
+          program_.state().program.sources.place(chain.slowed_by->span), chain.slowed_by->message));
+      return;
+    }
   }
 
   std::string draws_text() const {
@@ -223,6 +247,9 @@ Sampler::Sampler(const Program& program, const SampleOptions& options)
 Sampler::~Sampler() = default;
 SampleSummary Sampler::run(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
   return state_->run(progress);
+}
+void Sampler::write_report(const std::filesystem::path& path, const SampleSummary& summary) const {
+  state_->write_report(path, summary);
 }
 void Sampler::write_draws(const std::filesystem::path& path) const { state_->write_draws(path); }
 

@@ -14,9 +14,10 @@ namespace solitaire::api {
 
 struct SampleOptions : Options {
   enum class Engine : std::uint8_t {
+    kShred,        // each step computes anew what depends on it, on the trace of the program
     kLightweight,  // each step runs the program again
   };
-  Engine engine = Engine::kLightweight;
+  Engine engine = Engine::kShred;
   std::uint64_t draws = 1000;  // that are kept, over all chains; rounded up to as many of each chain
   std::uint64_t chains = 4;
   /// Draws of each chain that come before these and are thrown away. By default as many as are kept of each
@@ -74,6 +75,8 @@ class SOLITAIRE_API Sampler {
   /// Writes the draws as a table, a row each, with the numbers of chain and draw, from 1, in front. An empty
   /// cell is a number that this draw does not have. Throws Error (kFile).
   void write_draws(const std::filesystem::path& path) const;
+  /// Writes a page (.html) with the summary and pictures of the draws. Throws Error (kFile).
+  void write_report(const std::filesystem::path& path, const SampleSummary& summary) const;
 
  private:
   class State;

@@ -1,0 +1,153 @@
+#include "library/data_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <solitaire/error.h>
+#include <utility>
+#include <vector>
+
+#include "library/json.h"
+#include "solitaire/value/plain_value.h"
+
+namespace solitaire::api {
+namespace {
+
+[[noreturn]] void refuse_data(const std::filesystem::path& path, const std::string& reason) {
+  throw Error(Error::Kind::kFile, fmt::format("{}: {}", path.string(), reason));
+}
+
+std::string text_of_data(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse_data(path, "cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string list_constant(const std::vector<std::string>& items) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < items.size(); ++i) text += (i == 0 ? "" : ", ") + items[i];
+  return text + "]";
+}
+
+/// A text as the language writes it, which knows fewer escapes than JSON.
+std::string text_constant(const std::string& text) {
+  std::string constant = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') constant += '\\';
+    if (c == '\n') {
+      constant += "\\n";
+    } else {
+      constant += c;
+    }
+  }
+  return constant + "\"";
+}
+
+std::string json_constant(const Json& json, const std::filesystem::path& path) {
+  if (json.is_null()) return "nil";
+  if (json.is_number_float()) return float_text(json.get<double>());
+  if (json.is_string()) return text_constant(json.get<std::string>());
+  if (!json.is_structured()) return json.dump();
+  if (json.is_object())
+    refuse_data(
+        path,
+        "has an object, {...}; data are numbers, texts and lists of such, so write a list of its values");
+  std::vector<std::string> items;
+  for (const Json& item : json) items.push_back(json_constant(item, path));
+  return list_constant(items);
+}
+
+std::string constant_of_json(const std::filesystem::path& path) {
+  try {
+    return json_constant(Json::parse(text_of_data(path)), path);
+  } catch (const Json::parse_error& error) {
+    refuse_data(path, fmt::format("is no JSON: {}", error.what()));
+  }
+}
+
+// ---- tables
+
+using Cells = std::vector<std::string>;
+
+/// Splits a table into rows of cells. Cells in double quotes may have commas, line ends and doubled quotes.
+std::vector<Cells> cells_of(const std::string& text) {
+  std::vector<Cells> rows;
+  Cells row;
+  std::string cell;
+  bool quoted = false;
+  const auto end_cell = [&] { row.push_back(std::exchange(cell, {})); };
+  const auto end_row = [&] {
+    end_cell();
+    if (row.size() > 1 || !row[0].empty()) rows.push_back(row);
+    row.clear();
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"') {
+      cell += text[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      end_cell();
+    } else if (c == '\n' && !quoted) {
+      end_row();
+    } else if (c != '\r') {
+      cell += c;
+    }
+  }
+  if (!cell.empty() || !row.empty()) end_row();
+  return rows;
+}
+
+std::string trimmed_cell(const std::string& cell) {
+  const auto first = cell.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return cell.substr(first, cell.find_last_not_of(" \t") - first + 1);
+}
+
+template <class Number>
+std::optional<Number> number_in(const std::string& cell) {
+  Number number{};
+  const char* const end = cell.data() + cell.size();
+  const auto [stop, error] = std::from_chars(cell.data(), end, number);
+  if (cell.empty() || error != std::errc{} || stop != end) return std::nullopt;
+  return number;
+}
+
+bool is_number_cell(const std::string& cell) { return number_in<double>(trimmed_cell(cell)).has_value(); }
+
+std::string cell_constant(const std::string& cell) {
+  const std::string text = trimmed_cell(cell);
+  if (const auto i = number_in<std::int64_t>(text)) return std::to_string(*i);
+  if (const auto d = number_in<double>(text)) return float_text(*d);
+  return text_constant(text);
+}
+
+std::string constant_of_table(const std::filesystem::path& path) {
+  std::vector<Cells> rows = cells_of(text_of_data(path));
+  if (!rows.empty() && std::none_of(rows[0].begin(), rows[0].end(), is_number_cell)) rows.erase(rows.begin());
+  std::vector<std::string> items;
+  for (const Cells& row : rows) {
+    if (row.size() != rows[0].size()) {
+      refuse_data(path, fmt::format("row {} of the data has {} cells, and the first has {}", items.size() + 1,
+                                    row.size(), rows[0].size()));
+    }
+    Cells constants;
+    for (const std::string& cell : row) constants.push_back(cell_constant(cell));
+    items.push_back(row.size() == 1 ? constants[0] : list_constant(constants));
+  }
+  return list_constant(items);
+}
+
+}  // namespace
+
+std::string constant_of_file(const std::filesystem::path& path) {
+  if (path.extension() == ".json") return constant_of_json(path);
+  if (path.extension() == ".csv") return constant_of_table(path);
+  refuse_data(path, "data end in .json or .csv");
+}
+
+}  // namespace solitaire::api
