@@ -55,7 +55,8 @@ class Kernel {
   Outcome score_slice(const Slice& slice);
 
   ChoiceNumber proposed_ = 0;
-  std::optional<std::int64_t> proposed_bits_;  // of the value that was proposed last, unless all has changed since
+  std::optional<std::int64_t>
+      proposed_bits_;  // of the value that was proposed last, unless all has changed since
   Outcome outcome_ = Outcome::kScored;
   double difference_ = 0;
   double log_score_ = 0;

@@ -47,7 +47,8 @@ class SOLITAIRE_API Program {
   /// "\"text\""; where the default is a string, quotes may be left out. Throws Error (kUsage) if there is no
   /// such param, or if it cannot have this value.
   void set(const std::string& param, const std::string& value);
-  /// Does the same with what a .json or .csv file holds, as docs/command-line.md says. Throws Error: kFile too.
+  /// Does the same with what a .json or .csv file holds, as docs/command-line.md says. Throws Error: kFile
+  /// too.
   void set_from_file(const std::string& param, const std::filesystem::path& path);
   /// Returns the values that were set, in that order: name and text.
   const std::vector<std::pair<std::string, std::string>>& settings() const { return settings_; }
