@@ -5,6 +5,7 @@
 #include "app/report.h"
 #include "app/signals.h"
 #include "app/tiles_options.h"
+#include "app/tiles_scene.h"
 #include "base/stop_signal.h"
 #include "engines/tiles/job/job.h"
 #include "engines/tiles/request/request_error.h"
@@ -67,6 +68,16 @@ std::string stem(const TilesOptions& options) {
   return file.substr(0, file.find('.'));
 }
 
+/// Writes the map that is delivered, in the format that the file's name says.
+void write_map(const tiles::Job& job, const Options& options, const std::string& name, const fs::path& file) {
+  const std::string format = file.extension().string().substr(1);
+  if (format == "glb") {
+    write_tiles_scene(job, name, fs::path(options.tiles->job.inputs.front()).parent_path(), file);
+  } else {
+    write_file_atomically(file, job.file(format, options.tiles->pixels, options.output));
+  }
+}
+
 /// Says how making maps ended, of which `delivered` are written.
 ExitStatus tell_ending(const tiles::Job& job, tiles::JobEnding ending, std::uint64_t delivered,
                        const Options& options) {
@@ -93,8 +104,8 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
     for (const std::string& format : options.tiles->formats) {
-      const std::string name = fmt::format("{}-{:04}.{}", stem(*options.tiles), number, format);
-      write_file_atomically(options.output / name, job.file(format, options.tiles->pixels, options.output));
+      const std::string name = fmt::format("{}-{:04}", stem(*options.tiles), number);
+      write_map(job, options, name, options.output / fmt::format("{}.{}", name, format));
     }
     delivered = number;
   });

@@ -22,6 +22,7 @@
 #include "engines/tiles/write/json.h"
 #include "engines/tiles/write/png.h"
 #include "engines/tiles/write/text.h"
+#include "engines/tiles/write/vox.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -139,10 +140,10 @@ struct Job::State {
 };
 
 JobEnding Job::State::make_maps(const std::function<void(std::uint64_t)>& deliver) {
-  const std::vector<TileMask> domains = attended([this] {
-    learn_weights(request, options.sampling, *style, stop);
-    return consistent_domains(problem);
-  });
+  attended([this] { learn_weights(request, options.sampling, *style, stop); });
+  const std::optional<Mirror> mirror = make_mirror(request, problem);
+  const Problem& drawn = mirror ? mirror->half() : problem;
+  const std::vector<TileMask> domains = attended([&] { return consistent_domains(drawn); });
   StopSignal signal(&stop);
   std::deque<std::future<Sample>> running;
   const StopAtEnd stop_at_end{signal};
@@ -150,7 +151,7 @@ JobEnding Job::State::make_maps(const std::function<void(std::uint64_t)>& delive
   for (number = 1; number <= options.maps; ++number) {
     while (begun < options.maps && running.size() < options.jobs) {
       running.push_back(std::async(std::launch::async, [&, next = ++begun] {
-        return draw_sample(problem, domains, options.sampling, next, signal);
+        return draw_sample(drawn, domains, options.sampling, next, signal);
       }));
     }
     sample = outcome(running.front());
@@ -158,6 +159,7 @@ JobEnding Job::State::make_maps(const std::function<void(std::uint64_t)>& delive
     if (sample.outcome == Outcome::kStopped) return JobEnding::kStopped;
     if (sample.outcome == Outcome::kNone) return JobEnding::kNoMap;
     if (sample.outcome == Outcome::kGaveUp) return JobEnding::kGaveUp;
+    if (mirror) sample.map = mirror->unfold(sample.map);
     const std::vector<std::string> faults = find_faults(problem, sample.map, 1);
     if (!faults.empty()) throw std::logic_error("a map breaks the rules: " + faults.front());
     deliver(number);
@@ -208,6 +210,13 @@ std::string Job::file(const std::string& format, int pixels, const std::filesyst
   const Tileset& tileset = state_->style->tileset;
   if (format == "txt") return write_text(sample.map, tileset);
   if (format == "png") return write_png(sample.map, tileset, pixels);
+  if (format == "vox") {
+    try {
+      return write_vox(sample.map, tileset);
+    } catch (const std::length_error& error) {
+      throw RequestError(error.what());
+    }
+  }
   if (format == "tmx") {
     const std::filesystem::path& original = state_->request.exemplars.front().file;
     if (original.extension() != ".tmx")
@@ -220,6 +229,21 @@ std::string Job::file(const std::string& format, int pixels, const std::filesyst
                      {"sweeps", sample.sweeps},
                      {"windows", sample.windows},
                      {"refused", sample.refused}});
+}
+
+std::vector<ShownTile> Job::shown_tiles() const {
+  const Grid& map = state_->sample.map;
+  std::vector<ShownTile> shown;
+  for_each_point(map.size, [&](const Point& at) {
+    if (map.at(at) == kHole) return;
+    const TileKind& kind = state_->style->tileset[map.at(at)];
+    if (kind.height == 0 || kind.color[3] == 0) return;
+    ShownTile tile{kind.name, at, kind.asset, kind.turn, kind.height, {}};
+    tile.at[1] = map.size.height() - 1 - at[1];
+    for (std::size_t channel = 0; channel < 3; ++channel) tile.color[channel] = kind.color[channel] / 255.0;
+    shown.push_back(std::move(tile));
+  });
+  return shown;
 }
 
 std::string Job::summary() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,16 @@ enum class JobEnding : std::uint8_t {
   kNoMap,   // proved
   kGaveUp,  // the sampler did; this is no proof
   kStopped,
+};
+
+/// A tile of a map as a scene shows it.
+struct ShownTile {
+  std::string name;
+  std::array<int, 3> at;  // x to the right, y into the depth, z up, in tiles
+  std::string asset;      // a model, or nothing: a box
+  int turn;               // quarter turns of the model
+  double height;          // of the box, in sides of a tile
+  std::array<double, 3> color;
 };
 
 /// Makes the maps that somebody asks for, or answers questions about them. This is the face of the tile
@@ -44,8 +55,11 @@ class Job {
   /// Learns weights and makes maps, several at a time, and calls `deliver(number)` for each in their order,
   /// numbered from 1. Throws std::logic_error if a map breaks a rule, which is then not delivered.
   JobEnding run(const std::function<void(std::uint64_t)>& deliver);
-  /// Returns the file of the map that is being delivered, as txt, png, json, or tmx if the exemplar is one.
-  /// `pixels` is the side of a tile without an icon; `folder` is where the file will be. Throws RequestError.
+  /// Returns what a scene shows of the map that is being delivered: all tiles that are not empty.
+  std::vector<ShownTile> shown_tiles() const;
+  /// Returns the file of the map that is being delivered, as txt, png, json, vox, or tmx if the exemplar is
+  /// one. `pixels` is the side of a tile without an icon; `folder` is where the file will be. Throws
+  /// RequestError.
   std::string file(const std::string& format, int pixels, const std::filesystem::path& folder) const;
   /// Returns what there is to say of all maps together.
   std::string summary() const;

@@ -20,12 +20,16 @@ constexpr Sides side(std::size_t axis, int step) {
 
 /// A kind of tile.
 struct TileKind {
-  std::string name;                  // unique in its tileset
-  std::string text;                  // the character of text maps
-  Rgba color{};                      // of maps that give a pixel to a tile
-  Picture icon;                      // empty: a plain square of the colour
-  std::optional<std::uint32_t> gid;  // in the Tiled map that it was read from, with its flags
-  double bias = 1;                   // multiplies the weight of each occurrence
+  std::string name;                   // unique in its tileset
+  std::string text;                   // the character of text maps
+  Rgba color{};                       // of maps that give a pixel to a tile
+  Picture icon;                       // empty: a plain square of the colour
+  std::optional<std::uint32_t> gid;   // in the Tiled map that it was read from, with its flags
+  double bias = 1;                    // multiplies the weight of each occurrence
+  std::optional<std::uint8_t> voxel;  // its colour's number in .vox models; 0 is empty
+  std::string asset;                  // the model that scenes show; empty: a box of the colour
+  int turn = 0;                       // quarter turns of the model, counter-clockwise seen from above
+  double height = 1;                  // of the box, in sides of a tile; 0: scenes show nothing
 };
 
 /// The tiles of a style, at most kMostTiles.

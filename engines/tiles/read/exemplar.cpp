@@ -6,6 +6,7 @@
 #include "engines/tiles/read/json.h"
 #include "engines/tiles/read/png.h"
 #include "engines/tiles/read/text.h"
+#include "engines/tiles/read/vox.h"
 #include "engines/tiles/tiled/tileset_files.h"
 
 namespace solitaire::tiles {
@@ -16,9 +17,10 @@ Grid read_exemplar(const std::filesystem::path& file, int side, Tileset& tileset
   if (ending == ".txt") return read_text(name, read_bytes(file), tileset, open);
   if (ending == ".png") return cut_tiles(name, read_png(name, read_bytes(file)), side, tileset, open);
   if (ending == ".tmx" || ending == ".tmj") return read_tiled(file, tileset, open);
+  if (ending == ".vox") return read_vox(name, read_bytes(file), tileset, open);
   if (ending == ".json") return read_json(name, read_bytes(file), tileset, open);
-  throw FileError(name,
-                  fmt::format("'{}' is no format of maps; .txt, .png, .tmx, .tmj and .json are", ending));
+  throw FileError(
+      name, fmt::format("'{}' is no format of maps; .txt, .png, .tmx, .tmj, .vox and .json are", ending));
 }
 
 }  // namespace solitaire::tiles

@@ -5,9 +5,8 @@
 
 namespace solitaire::tiles {
 
-/// Reads an exemplar by the ending of its name: .txt, .tmx, .tmj, .json, or .png in squares of `side` pixels.
-/// What it has that
-/// is no tile yet becomes one, if the tileset is open. Throws FileError.
+/// Reads an exemplar by the ending of its name: .txt, .tmx, .tmj, .vox, .json, or .png in squares of
+/// `side` pixels. What it has that is no tile yet becomes one, if the tileset is open. Throws FileError.
 Grid read_exemplar(const std::filesystem::path& file, int side, Tileset& tileset, bool open);
 
 }  // namespace solitaire::tiles

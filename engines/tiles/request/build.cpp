@@ -9,6 +9,9 @@
 #include "engines/tiles/read/file.h"
 #include "engines/tiles/read/png.h"
 #include "engines/tiles/rules/connected.h"
+#include "engines/tiles/rules/distance.h"
+#include "engines/tiles/rules/longest_run.h"
+#include "engines/tiles/rules/path.h"
 #include "engines/tiles/rules/tile_count.h"
 
 namespace solitaire::tiles {
@@ -71,6 +74,10 @@ void add_tiles(const Request& request, Tileset& tileset) {
     kind.name = entry.name;
     kind.text = entry.text;
     kind.bias = entry.bias;
+    kind.voxel = entry.voxel;
+    kind.asset = entry.asset;
+    kind.turn = entry.turn;
+    kind.height = entry.height;
     if (entry.icon) kind.icon = icon_at(icons, entry, request.tile_side);
     kind.color = entry.color  ? *entry.color
                  : entry.icon ? mean_color(kind.icon)
@@ -170,17 +177,52 @@ Sides sides_of(const std::string& letters) {
   return sides;
 }
 
-std::shared_ptr<const GlobalRule> connected_rule(const ConnectedEntry& entry, const Problem& problem) {
-  const Tileset& tileset = problem.style().tileset;
+/// Returns the open sides of each tile of a network.
+std::vector<Sides> open_sides(const ConnectedEntry& entry, const Tileset& tileset) {
   std::vector<Sides> open(tileset.size());
   tile_set(tileset, entry.tiles).for_each([&](Tile tile) { open[tile] = kAllSides; });
   for (const auto& [name, letters] : entry.open) {
     open[tile_set(tileset, {name}).lowest()] = sides_of(letters);
   }
+  return open;
+}
+
+std::shared_ptr<const GlobalRule> connected_rule(const ConnectedEntry& entry, const Problem& problem) {
   std::vector<std::string> names = entry.tiles;
   for (const auto& [name, letters] : entry.open) names.push_back(name);
-  return std::make_shared<Connected>(problem.topology(), std::move(open),
+  return std::make_shared<Connected>(problem.topology(), open_sides(entry, problem.style().tileset),
                                      fmt::format("{} are one connected network", quoted(names)));
+}
+
+std::size_t site_of(const Point& at, const Size& size) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (at[axis] >= size.extent[axis]) {
+      throw RequestError(fmt::format("the path's end at ({},{}) is outside of the map of {}x{}", at[0], at[1],
+                                     size.width(), size.height()));
+    }
+  }
+  return size.site(at);
+}
+
+std::shared_ptr<const GlobalRule> path_rule(const PathEntry& entry, const Problem& problem) {
+  return std::make_shared<Path>(problem.topology(), open_sides(entry.over, problem.style().tileset),
+                                site_of(entry.from, problem.size()), site_of(entry.to, problem.size()),
+                                fmt::format("a path leads from ({},{}) to ({},{})", entry.from[0],
+                                            entry.from[1], entry.to[0], entry.to[1]));
+}
+
+std::shared_ptr<const GlobalRule> run_rule(const RunEntry& entry, const Problem& problem) {
+  std::vector<std::size_t> axes{0, 1, 2};
+  if (entry.axis) axes = {*entry.axis};
+  return std::make_shared<LongestRun>(
+      tile_set(problem.style().tileset, entry.tiles), axes, entry.most,
+      fmt::format("at most {} of {} follow each other", entry.most, quoted(entry.tiles)));
+}
+
+std::shared_ptr<const GlobalRule> distance_rule(const DistanceEntry& entry, const Problem& problem) {
+  return std::make_shared<Distance>(
+      problem.topology(), tile_set(problem.style().tileset, entry.tiles), entry.least,
+      fmt::format("{} are at least {} steps from each other", quoted(entry.tiles), entry.least));
 }
 
 std::shared_ptr<const GlobalRule> count_rule(const CountEntry& entry, const Tileset& tileset) {
@@ -221,8 +263,28 @@ Problem make_problem(const Request& request, std::shared_ptr<const Style> style)
   for (const BorderEntry& border : request.borders) problem.add(border_rule(border, problem));
   if (request.zones) problem.set_zones(read_zones(*request.zones, problem.size(), zone_names(request)));
   for (const ConnectedEntry& entry : request.connected) problem.add(connected_rule(entry, problem));
+  for (const RunEntry& entry : request.runs) problem.add(run_rule(entry, problem));
+  for (const DistanceEntry& entry : request.distances) problem.add(distance_rule(entry, problem));
+  for (const PathEntry& entry : request.paths) problem.add(path_rule(entry, problem));
   for (const CountEntry& entry : request.counts) problem.add(count_rule(entry, problem.style().tileset));
   return problem;
+}
+
+std::optional<Mirror> make_mirror(const Request& request, const Problem& problem) {
+  if (!request.mirror) return std::nullopt;
+  const Tileset& tileset = problem.style().tileset;
+  std::vector<Tile> partners;
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) partners.push_back(static_cast<Tile>(tile));
+  for (const auto& [name, partner] : request.mirror->partners) {
+    const Tile a = tile_set(tileset, {name}).lowest(), b = tile_set(tileset, {partner}).lowest();
+    partners[a] = b;
+    partners[b] = a;
+  }
+  try {
+    return Mirror(problem, request.mirror->axis, std::move(partners));
+  } catch (const std::invalid_argument& error) {
+    throw RequestError(error.what());
+  }
 }
 
 }  // namespace solitaire::tiles

@@ -1,6 +1,8 @@
 #pragma once
 #include <memory>
+#include <optional>
 
+#include "engines/tiles/model/mirror.h"
 #include "engines/tiles/model/problem.h"
 #include "engines/tiles/request/request.h"
 #include "engines/tiles/request/request_error.h"
@@ -12,5 +14,9 @@ std::shared_ptr<Style> read_style(const Request& request);
 
 /// Returns the problem of the request's size, pins, zones and rules. Throws FileError and RequestError.
 Problem make_problem(const Request& request, std::shared_ptr<const Style> style);
+
+/// Returns the mirror that the request asks for, if it does, of a problem whose weights have been learned.
+/// Throws RequestError where such a map cannot be mirrored.
+std::optional<Mirror> make_mirror(const Request& request, const Problem& problem);
 
 }  // namespace solitaire::tiles

@@ -18,6 +18,10 @@ struct TileEntry {
   std::optional<Rgba> color;
   std::optional<std::array<int, 2>> icon;  // column and row in the picture of icons
   double bias = 1;
+  std::optional<std::uint8_t> voxel;  // the number of its colour in .vox models
+  std::string asset;                  // the model of scenes
+  int turn = 0;                       // quarter turns of the model
+  double height = 1;                  // of the box where there is no model, in sides of a tile
 };
 
 struct ExemplarEntry {
@@ -58,6 +62,31 @@ struct CountEntry {
   std::uint64_t least = 0, most = UINT64_MAX;
 };
 
+/// The longest run of these tiles along an axis, or along all.
+struct RunEntry {
+  std::vector<std::string> tiles;
+  std::optional<std::size_t> axis;
+  std::uint64_t most = 1;
+};
+
+/// How many steps any two of these tiles are apart at least.
+struct DistanceEntry {
+  std::vector<std::string> tiles;
+  int least = 1;
+};
+
+/// Two sites between which a path over these tiles leads.
+struct PathEntry {
+  Point from{}, to{};
+  ConnectedEntry over;
+};
+
+/// The second half of the map is the mirror image of the first. Tiles without a partner are their own.
+struct MirrorEntry {
+  std::size_t axis = 0;
+  std::vector<std::pair<std::string, std::string>> partners;
+};
+
 enum class WeightsKind : std::uint8_t { kStep, kFitted };
 
 /// A problem in the words of its author, before any file is read but the one that says it.
@@ -76,6 +105,10 @@ struct Request {
   std::optional<ZoneMap> zones;
   std::vector<ConnectedEntry> connected;
   std::vector<CountEntry> counts;
+  std::vector<RunEntry> runs;
+  std::vector<DistanceEntry> distances;
+  std::vector<PathEntry> paths;
+  std::optional<MirrorEntry> mirror;
 };
 
 }  // namespace solitaire::tiles

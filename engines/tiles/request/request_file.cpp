@@ -44,6 +44,10 @@ class RequestReader {
     for (JsonObject& each : file.objects("borders")) read_border(each);
     for (JsonObject& each : file.objects("connected")) read_connected(each);
     for (JsonObject& each : file.objects("counts")) read_count(each);
+    for (JsonObject& each : file.objects("runs")) read_run(each);
+    for (JsonObject& each : file.objects("distances")) read_distance(each);
+    for (JsonObject& each : file.objects("paths")) read_path(each);
+    if (file.has("mirror")) read_mirror(JsonObject(name_, file.at("mirror"), "mirror"));
     if (file.has("zones")) read_zones(JsonObject(name_, file.at("zones"), "zones"));
     file.require_no_more();
     return std::move(request_);
@@ -69,6 +73,10 @@ class RequestReader {
       tile.icon = {place[0], place[1]};
     }
     if (object.has("bias")) tile.bias = object.real("bias", 1e-6, 1e6);
+    if (object.has("voxel")) tile.voxel = static_cast<std::uint8_t>(object.number("voxel", 0, 255));
+    if (object.has("asset")) tile.asset = object.text("asset");
+    if (object.has("turn")) tile.turn = static_cast<int>(object.number("turn", 0, 3));
+    if (object.has("height")) tile.height = object.real("height", 0, 1000);
     object.require_no_more();
     request_.tiles.push_back(std::move(tile));
   }
@@ -96,15 +104,19 @@ class RequestReader {
     return point;
   }
 
+  static std::size_t axis_of(JsonObject& object, const char* member, const std::string& letter) {
+    const std::size_t axis = std::string("xyz").find(letter);
+    if (letter.size() != 1 || axis == std::string::npos) {
+      object.fail(member, "names other axes than x, y and z");
+    }
+    return axis;
+  }
+
   void read_map(JsonObject& file) {
     if (file.has("size")) request_.size = point_of(file.numbers("size", 1, 2, 3), 1);
     if (!file.has("periodic")) return;
-    for (const std::string& axis : file.texts("periodic")) {
-      const std::size_t number = std::string("xyz").find(axis);
-      if (axis.size() != 1 || number == std::string::npos)
-        file.fail("periodic", "names other axes than x, y and z");
-      request_.periodic[number] = true;
-    }
+    for (const std::string& axis : file.texts("periodic"))
+      request_.periodic[axis_of(file, "periodic", axis)] = true;
   }
 
   void read_weights(JsonObject& file) {
@@ -137,7 +149,8 @@ class RequestReader {
     object.require_no_more();
   }
 
-  void read_connected(JsonObject& object) {
+  /// Reads the tiles of a network, and which of their sides are open.
+  static ConnectedEntry network_of(JsonObject& object) {
     ConnectedEntry entry;
     if (object.has("tiles")) entry.tiles = object.texts("tiles");
     if (object.has("open")) {
@@ -148,8 +161,53 @@ class RequestReader {
         entry.open.emplace_back(tile, sides.get<std::string>());
       }
     }
+    return entry;
+  }
+
+  void read_connected(JsonObject& object) {
+    request_.connected.push_back(network_of(object));
     object.require_no_more();
-    request_.connected.push_back(std::move(entry));
+  }
+
+  void read_run(JsonObject& object) {
+    RunEntry run;
+    run.tiles = object.texts("tiles");
+    run.most = static_cast<std::uint64_t>(object.number("most", 0, INT32_MAX));
+    if (object.has("axis")) run.axis = axis_of(object, "axis", object.text("axis"));
+    object.require_no_more();
+    request_.runs.push_back(std::move(run));
+  }
+
+  void read_distance(JsonObject& object) {
+    DistanceEntry distance;
+    distance.tiles = object.texts("tiles");
+    distance.least = static_cast<int>(object.number("least", 1, 1 << 20));
+    object.require_no_more();
+    request_.distances.push_back(std::move(distance));
+  }
+
+  void read_path(JsonObject& object) {
+    PathEntry path;
+    path.from = point_of(object.numbers("from", 0, 2, 3), 0);
+    path.to = point_of(object.numbers("to", 0, 2, 3), 0);
+    path.over = network_of(object);
+    object.require_no_more();
+    request_.paths.push_back(std::move(path));
+  }
+
+  void read_mirror(JsonObject object) {
+    MirrorEntry mirror;
+    mirror.axis = axis_of(object, "axis", object.text("axis"));
+    if (object.has("partners")) {
+      const auto& partners = object.at("partners");
+      if (!partners.is_object()) object.fail("partners", "is no object of tiles and their mirror images");
+      for (const auto& [tile, partner] : partners.items()) {
+        if (!partner.is_string()) object.fail("partners", "has a tile that is no text");
+        mirror.partners.emplace_back(tile, partner.get<std::string>());
+      }
+    }
+    object.require_no_more();
+    request_.mirror = std::move(mirror);
   }
 
   void read_count(JsonObject& object) {

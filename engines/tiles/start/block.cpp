@@ -5,13 +5,6 @@
 namespace solitaire::tiles {
 namespace {
 
-bool contains(const Box& box, const Point& at) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (at[axis] < box.from[axis] || at[axis] >= box.to[axis]) return false;
-  }
-  return true;
-}
-
 std::size_t place_in(const Box& box, const Point& at) {
   return box.size().site({at[0] - box.from[0], at[1] - box.from[1], at[2] - box.from[2]});
 }
@@ -46,7 +39,7 @@ Block::Block(const Problem& problem, std::span<const TileMask> domains, const Gr
         const std::size_t site = topology.neighbor(at, axis, step);
         if (site == Topology::kNone) continue;
         const Point beside = problem.size().point(site);
-        if (contains(box, beside)) {
+        if (box.contains(beside)) {
           neighbors[2 * axis + (step > 0 ? 0 : 1)] = static_cast<std::int32_t>(place_in(box, beside));
         }
       }

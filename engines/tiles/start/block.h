@@ -14,6 +14,12 @@ struct Box {
   Point from{}, to{};
 
   Size size() const { return {{to[0] - from[0], to[1] - from[1], to[2] - from[2]}}; }
+  bool contains(const Point& at) const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (at[axis] < from[axis] || at[axis] >= to[axis]) return false;
+    }
+    return true;
+  }
 };
 inline Box whole_box(const Size& size) { return {{}, size.extent}; }
 /// Returns the box with `margin` more on all sides, as far as the grid goes.

@@ -1,0 +1,39 @@
+#include "app/tiles_scene.h"
+
+#include <fmt/format.h>
+
+#include "base/installation.h"
+#include "scene/assets.h"
+#include "scene/gltf/writer.h"
+#include "scene/scene.h"
+
+namespace solitaire::app {
+namespace {
+
+PlacedThing thing_of(const tiles::ShownTile& tile) {
+  PlacedThing thing;
+  const auto [x, y, z] = tile.at;
+  thing.asset = tile.asset;
+  thing.at = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+  thing.name = tile.name;
+  thing.address = fmt::format("site[{}][{}][{}]", z, y, x);
+  if (tile.asset.empty()) {
+    thing.size = {1, 1, tile.height};
+    thing.color = tile.color;
+  } else {
+    thing.turn = tile.turn;
+  }
+  return thing;
+}
+
+}  // namespace
+
+void write_tiles_scene(const tiles::Job& job, const std::string& title, const std::filesystem::path& folder,
+                       const std::filesystem::path& file) {
+  AssetLibrary assets(find_data_folder() / "assets", folder);
+  std::vector<PlacedThing> things;
+  for (const tiles::ShownTile& tile : job.shown_tiles()) things.push_back(thing_of(tile));
+  write_glb(build_scene(things, 1.0, title, assets), file);
+}
+
+}  // namespace solitaire::app

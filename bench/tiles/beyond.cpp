@@ -1,0 +1,75 @@
+#include "bench/tiles/figures.h"
+#include "bench/tiles/problems.h"
+#include "bench/tiles/runs.h"
+#include "engines/tiles/learn/fit.h"
+#include "engines/tiles/sample/refill.h"
+
+namespace solitaire::tiles::bench {
+namespace {
+
+std::shared_ptr<Style> fitted_suburb() {
+  const auto style = style_named("suburb");
+  fit_weights(*style, default_shapes(*style), 1, StopSignal());
+  return style;
+}
+
+void peer(Report& report, const std::string& name, const Problem& problem, const SamplerOptions& options,
+          std::size_t maps) {
+  const Runs runs = run(problem, options, maps, 20);
+  const std::string likeness =
+      runs.maps.empty() ? "" : fmt::format(", JS {:.2f}", shannon_of_fours(problem.style(), runs.maps));
+  report.line(fmt::format("{0}x{0} {1:20} {2} of {3} maps, {4:.2f} s for each attempt{5}",
+                          problem.size().width(), name, runs.maps.size(), runs.tried, runs.seconds_each(),
+                          likeness));
+}
+
+}  // namespace
+
+void peers(Report& report) {
+  report.figure("peers: cities with a crossroad every 20 tiles; an attempt ends after 20 s",
+                "does not have this");
+  const auto hard = style_named("suburb"), fitted = fitted_suburb();
+  SamplerOptions once = options_of(SamplerKind::kWfc);
+  once.effort = 1;
+  SamplerOptions start = options_of(SamplerKind::kWindows);
+  start.anneal = start.sweeps = 0;
+  for (const int side : {40, 85, 170, 340, 1000}) {
+    const std::size_t maps = side <= 85 ? 20 : side <= 170 ? 5 : 1;
+    peer(report, "WFC, one attempt", city(hard, side), once, maps);
+    peer(report, "start alone", city(hard, side), start, maps);
+    if (side <= 170) peer(report, "SAT alone", city(hard, side), options_of(SamplerKind::kSearch), 1);
+    if (side <= 340)
+      peer(report, "windows, fitted", city(fitted, side), options_of(SamplerKind::kWindows), 1);
+  }
+}
+
+void speed(Report& report) {
+  report.figure("speed: cities by windows with fitted weights", "170x170 in 5 min, without weights");
+  double start = processor_seconds();
+  const auto style = fitted_suburb();
+  report.line(fmt::format("the weights are fitted in {:.1f} s", processor_seconds() - start));
+  const Runs runs = run(city(style, 170), options_of(SamplerKind::kWindows), 1);
+  report.line(fmt::format("170x170, 120 sweeps: {:.1f} s", runs.seconds));
+  report.must("170x170 in 3 s", runs.seconds <= 3);
+}
+
+void filling_again(Report& report) {
+  report.figure("a part of 40x40 of a city of 170x170 is filled again", "does not have this");
+  const Problem problem = city(fitted_suburb(), 170);
+  SamplerOptions options;
+  options.anneal = 30;
+  options.sweeps = 20;
+  Grid map = run(problem, options, 1).maps.front();
+  constexpr int kTimes = 10;
+  const double start = processor_seconds();
+  bool all = true;
+  for (options.seed = 1; options.seed <= kTimes; ++options.seed) {
+    const Box box{{60, 60, 0}, {100, 100, 1}};
+    all = refill(problem, box, options, StopSignal(), map) == Outcome::kFound && all;
+  }
+  const double each = (processor_seconds() - start) / kTimes;
+  report.line(fmt::format("{:.0f} ms, {} sweeps", 1000 * each, options.anneal + options.sweeps));
+  report.must("in 100 ms", all && each < 0.1);
+}
+
+}  // namespace solitaire::tiles::bench
