@@ -2,6 +2,7 @@
 #include "engines/sample/chain.h"
 #include "engines/sample/rerun.h"
 #include "engines/sample/restarts.h"
+#include "solitaire/value/plain_copy.h"
 
 namespace solitaire {
 

@@ -6,6 +6,7 @@
 #include "engines/errors.h"
 #include "engines/sample/conditional.h"
 #include "engines/tuning.h"
+#include "solitaire/value/plain_copy.h"
 
 namespace solitaire {
 

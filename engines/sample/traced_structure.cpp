@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "solitaire/value/merge.h"
+#include "solitaire/value/plain_copy.h"
 
 namespace solitaire {
 namespace {

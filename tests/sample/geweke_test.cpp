@@ -7,7 +7,7 @@
 #include "engines/sample/diagnostics.h"
 #include "engines/sample/returned_numbers.h"
 #include "engines/sample/sampling.h"
-#include "solitaire/value/plain_value.h"
+#include "solitaire/value/plain_copy.h"
 #include "tests/sample/enumeration.h"
 
 namespace solitaire {

@@ -10,6 +10,7 @@
 #include "engines/sample/traced_structure.h"
 #include "kernel/forms.h"
 #include "kernel/machine.h"
+#include "solitaire/value/plain_copy.h"
 #include "tests/sample/enumeration.h"
 
 namespace solitaire {
