@@ -4,6 +4,7 @@
 
 #include "base/installation.h"
 #include "scene/assets.h"
+#include "scene/build_scene.h"
 #include "scene/gltf/writer.h"
 #include "scene/scene.h"
 
