@@ -10,6 +10,11 @@ namespace solitaire::app {
 namespace {
 
 std::string summary(const Checked& checked) {
+  if (checked.choices + checked.conditions + checked.placed + checked.closed == 0) {
+    return "no mistakes found, but nothing was met that chooses, requires or places anything: functions are "
+           "looked "
+           "into where they are called";
+  }
   return fmt::format(
       "no mistakes found; {} choices, {} conditions, {} placed things, {} nodes{}", checked.choices,
       checked.conditions, checked.placed, checked.nodes,

@@ -1,8 +1,14 @@
 #include "app/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <deque>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "app/console.h"
 #include "app/report.h"
@@ -46,6 +52,8 @@ void add_explain_options(CLI::App& command, Options& options) {
   add_solver_options(command, options);
   command.add_option("--more", options.more, "also show so many further, independent conflicts")
       ->type_name("N");
+  command.add_flag("--full", options.full,
+                   "show every member of a conflict, also where that is more than a screen");
   command.add_flag("--choices", options.choices, "show the values of every choice in solutions");
   command.add_flag("--thorough", options.thorough,
                    "of a program with solutions: give no question up, however long it takes");
@@ -106,6 +114,29 @@ ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
   });
 }
 
+/// Returns the word that stands where the command should, if it is none of them; "" if all is well.
+std::string wrong_command(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  const std::string word = argv[1];
+  const bool known =
+      std::ranges::any_of(kSubcommands, [&](const Subcommand& each) { return word == each.name; });
+  return known ? "" : word;
+}
+
+/// Says what to write before a script, which is what a first word that is no command mostly is.
+void tell_wrong_command(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Subcommand& each : kSubcommands) names.emplace_back(each.name);
+  const std::string shown = word.size() <= 100 ? word : word.substr(0, 100) + "...";
+  const bool is_script = std::filesystem::path(word).extension() == ".sol";
+  tell(fmt::format("'{}' is no command; the commands are {}\n{}", shown, fmt::join(names, ", "),
+                   is_script
+                       ? fmt::format("to find solutions: solitaire solve {0}, or solitaire generate {0} for "
+                                     "scenes\n",
+                                     shown)
+                       : "Run with --help for more information.\n"));
+}
+
 }  // namespace
 
 std::variant<Asked, ExitStatus> read_command_line(int argc, char** argv) {
@@ -120,6 +151,10 @@ std::variant<Asked, ExitStatus> read_command_line(int argc, char** argv) {
     auto& [command, asked] =
         subcommands.emplace_back(app.add_subcommand(each.name, each.description), Asked{each.command, {}});
     each.add_options(*command, asked.options);
+  }
+  if (const std::string word = wrong_command(argc, argv); !word.empty()) {
+    tell_wrong_command(word);
+    return kUsage;
   }
   try {
     app.parse(argc, argv);

@@ -12,9 +12,10 @@
 namespace solitaire::app {
 namespace {
 
-/// After a search that found nothing, a reason is looked for so many seconds: as long as the search took,
-/// and no less than this.
+/// After a search that found nothing, a reason is looked for so many seconds: a share of what the search
+/// took, and no less than this.
 constexpr double kTimeForReason = 3;
+constexpr double kShareForReason = 0.5;
 
 class Delivery : public SearchObserver {
  public:
@@ -39,9 +40,9 @@ class Delivery : public SearchObserver {
     try {
       const Ending ending = deliver();
       if (options_.formula && ending != Ending::kStopped) search_.write_formula(*options_.formula);
-      const ExitStatus status = conclude(ending);
-      if (ending == Ending::kExhausted && search_.summary().solutions == 0 && !options_.quiet) explain();
-      return status;
+      const bool asks_why =
+          ending == Ending::kExhausted && search_.summary().solutions == 0 && !options_.quiet;
+      return asks_why ? explain(summarize(ending)) : conclude(ending);
     } catch (...) {
       close_after_error();
       throw;
@@ -83,6 +84,13 @@ class Delivery : public SearchObserver {
     return watchdog_.conclude(finish(ending));
   }
 
+  /// What conclude() does, before more is done.
+  ExitStatus summarize(Ending ending) {
+    const auto lock = watchdog_.delivering();
+    progress_.clear();
+    return finish(ending);
+  }
+
   ExitStatus end_at_limit() {
     progress_.end();
     if (const auto best = search_.take_best_so_far()) hand_over(*best);
@@ -114,15 +122,28 @@ class Delivery : public SearchObserver {
                          : fmt::format("{} of {} solutions{}", solutions, options_.search.count, more));
   }
 
-  /// Says why there is no solution, if that can be found out soon.
-  void explain() {
-    const auto time = std::chrono::duration<double>(std::max(kTimeForReason, seconds()));
+  /// Says why there is no solution, as far as that can be found out soon, and returns the search's status.
+  ExitStatus explain(ExitStatus status) {
+    const auto time = std::chrono::duration<double>(std::max(kTimeForReason, kShareForReason * seconds()));
     const StopSource stop(session_.search.stop);
     stop.set_deadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(time));
     SearchOptions asked = session_.search;
     asked.stop = stop.token();
-    const std::optional<Conflict> conflict = Explainer(session_.program, asked).next();
+    progress_.update("looking for the reason");
+    Explainer explainer(session_.program, asked);
+    const auto tell_best = [&] {
+      tell_reason(explainer.best_so_far());
+      return status;
+    };
+    const Watchdog::AtLimit at_limit(watchdog_, tell_best, stop.token());
+    const std::optional<Conflict> conflict = explainer.next();
     const auto lock = watchdog_.delivering();
+    tell_reason(conflict);
+    return watchdog_.conclude(status);
+  }
+
+  void tell_reason(const std::optional<Conflict>& conflict) {
+    progress_.end();
     tell(conflict ? conflict->text
                   : fmt::format("'solitaire explain {}' looks for the reason\n", options_.script));
   }

@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <optional>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -23,8 +25,16 @@ class Shown : public ExplainObserver {
         [&] { explanation_.solutions = any; });
   }
   void conflict(const Conflict& conflict) override {
-    say((explanation_.conflicts.empty() ? "" : "\nindependently, ") + conflict.text,
-        [&] { explanation_.conflicts.push_back(conflict); });
+    say(conflict_text(conflict), [&] {
+      explanation_.conflicts.push_back(conflict);
+      best_.reset();
+    });
+  }
+  void smaller(const Conflict& conflict) override {
+    progress_.update(
+        fmt::format("{} conditions cannot hold together; looking for fewer", conflict.members.size()));
+    const auto lock = watchdog_.delivering();
+    best_ = conflict;
   }
   void asserts(const DeadAsserts& asserts) override {
     say(asserts.text, [&] { explanation_.asserts = asserts; });
@@ -36,6 +46,10 @@ class Shown : public ExplainObserver {
   /// Shows what is left to show. To be called while delivering.
   ExitStatus finish(Ending ending) {
     progress_.end();
+    if (ending == Ending::kStopped && best_) {
+      if (!options_.json) print_result(conflict_text(*best_));
+      explanation_.conflicts.push_back(*std::exchange(best_, std::nullopt));
+    }
     if (ending == Ending::kStopped) tell(fmt::format("{}: {}\n", options_.script, limit_text(options_)));
     if (ending == Ending::kUnexplored)
       tell("there is no solution on the paths that were explored; --explore demand looks at the others\n");
@@ -47,6 +61,11 @@ class Shown : public ExplainObserver {
   }
 
  private:
+  std::string conflict_text(const Conflict& conflict) const {
+    return (explanation_.conflicts.empty() ? "" : "\nindependently, ") +
+           (options_.full ? conflict.whole : conflict.text);
+  }
+
   template <class Note>
   void say(const std::string& text, const Note& note) {
     const auto lock = watchdog_.delivering();
@@ -60,6 +79,7 @@ class Shown : public ExplainObserver {
   Watchdog& watchdog_;
   Progress progress_;
   Explanation explanation_;
+  std::optional<Conflict> best_;  // the smallest known, while a smaller one is looked for
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -20,6 +22,8 @@ ExitStatus generate_command(const Options& options, Watchdog& watchdog) {
   };
   const auto close = [&](std::optional<Ending> ending) {
     const auto page = output.close(ending, search.stop_token().reason());
+    for (const std::string& note : options.quiet ? std::vector<std::string>() : output.notes())
+      tell(note + "\n");
     if (page && !options.quiet) tell(fmt::format("see {}\n", page->string()));
   };
   deliver_all(search, session, options, watchdog, found, close);

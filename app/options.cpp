@@ -1,17 +1,42 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <fmt/format.h>
 #include <thread>
 
 namespace solitaire::app {
 namespace {
 
+constexpr std::uint64_t kMostCount = 9'999'999'999'999'999'999U;
+constexpr double kMostSeconds = 1e12;
+
+/// Returns as much of what the user wrote as a message repeats.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMost = 100;
+  return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
+}
+
+/// Returns what a text is wrong for, as a number of that type; "" for one that lies within the ends.
+template <class Number>
+std::string check_number(const std::string& text, Number least, Number most, const std::string& wanted) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  const bool good = error == std::errc{} && stop == end && number >= least && number <= most;
+  return good ? "" : fmt::format("'{}' is not {}", shortened(text), wanted);
+}
+
 std::string check_count(const std::string& text) {
-  const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
-  return digits && text.find_first_not_of('0') != std::string::npos
-             ? ""
-             : fmt::format("'{}' is not a whole number from 1", text);
+  return check_number<std::uint64_t>(text, 1, kMostCount, "a whole number from 1, of at most 19 digits");
+}
+
+std::string check_seed(const std::string& text) {
+  return check_number<std::uint64_t>(text, 0, kMostCount, "a whole number from 0, of at most 19 digits");
+}
+
+std::string check_seconds(const std::string& text) {
+  return check_number<double>(text, 0, kMostSeconds, "a number of seconds from 0");
 }
 
 std::string check_setting(const std::string& text) {
@@ -92,8 +117,9 @@ void add_program_options(CLI::App& command, Options& options) {
   add_repeatable(command, "--data", options.data,
                  "set a param of the program to what a .json or .csv file holds: NAME=FILE")
       ->check(CLI::Validator(check_setting, "NAME=FILE"));
-  command.add_option("--seed", options.search.seed,
-                     "same seed, program and options: same output (default 0)");
+  command
+      .add_option("--seed", options.search.seed, "same seed, program and options: same output (default 0)")
+      ->check(CLI::Validator(check_seed, "N"));
   command
       .add_option(
           "--explore", options.search.explore,
@@ -109,7 +135,7 @@ void add_program_options(CLI::App& command, Options& options) {
                   "calls within each other after which a recursion counts as endless (default 4000)")
       ->check(CLI::Validator(check_count, "N"));
   command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was found")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Validator(check_seconds, "SECONDS"));
   command
       .add_option("--memory", options.memory,
                   "end when more than so many megabytes of memory are in use, keeping what was found")
@@ -133,7 +159,7 @@ void add_search_options(CLI::App& command, Options& options) {
   command
       .add_option("--per-solution", options.search.seconds_per_solution,
                   "end when one further solution takes longer than so many seconds, keeping what was found")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Validator(check_seconds, "SECONDS"));
   add_engine_option(command, options);
   add_pin_options(command, options);
   auto* relax =

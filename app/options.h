@@ -46,6 +46,7 @@ struct Options {
   TraceFormat format = TraceFormat::kText;
   std::uint64_t more = 0;  // conflicts after the first
   bool choices = false;    // explain every choice
+  bool full = false;       // show all of a conflict
   bool thorough = false;
   CountOptions counting;
   SampleOptions sampling;

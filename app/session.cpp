@@ -10,7 +10,11 @@ namespace {
 
 std::filesystem::path data_folder() {
   const char* const folder = std::getenv("SOLITAIRE_DATA");
-  return folder != nullptr ? folder : installed_data();
+  if (folder == nullptr || *folder == '\0') return installed_data();
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw Error(Error::Kind::kFile, fmt::format("SOLITAIRE_DATA names no folder: '{}'", folder));
+  return folder;
 }
 
 Program load(const Options& options) {

@@ -20,6 +20,7 @@ PlacedObject object_of(Placement placement) {
   object.calls = std::move(placement.calls);
   object.extras = std::move(placement.extras);
   object.source = std::move(placement.source);
+  object.folder = std::move(placement.folder);
   return object;
 }
 
@@ -39,6 +40,7 @@ Solution solution_of(Execution execution, const AddressTable& addresses) {
   for (Placement& placement : execution.placements)
     solution.placements.push_back(object_of(std::move(placement)));
   for (Rejection& rejection : execution.broken) solution.broken.push_back(broken_of(std::move(rejection)));
+  if (execution.wishes.size() == 1) solution.only_wish = execution.wishes.front().span;
   for (WishCost& wish : execution.wishes) {
     if (wish.cost > 0) solution.unmet.push_back({wish.span, std::move(wish.address), wish.cost, {}});
   }

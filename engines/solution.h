@@ -45,6 +45,7 @@ struct PlacedObject {
   std::vector<std::pair<std::string, std::string>>
       extras;          // further named arguments: name, value as JSON text
   std::string source;  // "file.sol:12:3", the place call
+  std::string folder;  // of that file, relative to the script's; "" if it is the same
 };
 
 /// A conjunct of an assert that a solution breaks, where solutions may.
@@ -82,6 +83,7 @@ struct Solution {
   std::vector<PlacedObject> placements;
   std::vector<BrokenAssert> broken;
   std::vector<UnmetWish> unmet;
+  std::optional<Span> only_wish;     // the call, where the execution met a single wish
   std::optional<Quality> quality;    // nothing where solutions are all as good
   double unit = 1;                   // metres in one unit of the program
   std::vector<std::string> printed;  // lines

@@ -105,4 +105,7 @@ constexpr double kLeastEffective = 400;
 /// The dissertation's "all values represented as 16-bit integers" (section 4.2.1).
 constexpr unsigned kPublishedWidth = 16;
 
+/// Conflicts of the search after which the question whether a near miss can come nearer is given up.
+constexpr std::uint64_t kEffortForNearness = 2000;
+
 }  // namespace solitaire::tuning

@@ -1,3 +1,4 @@
+#include <mutex>
 #include <solitaire/explain.h>
 
 #include "engines/solve/tracing.h"
@@ -32,6 +33,7 @@ struct Questions {
 Ending tell_conflicts(const Questions& asked, ExplainObserver& observer) {
   observer.begun("looking for conditions that cannot hold together");
   Explainer explainer(asked.program, asked.options);
+  explainer.observe(&observer);
   for (std::uint64_t i = 0; i <= asked.options.more; ++i) {
     const std::optional<Conflict> conflict = explainer.next();
     if (!conflict) break;
@@ -66,22 +68,44 @@ class Explainer::State {
       : program_(program),
         stop_(options.stop),
         explainer_(program.state().program, values_of_params(program.state(), program.settings()),
-                   engine_options(options).exact()) {}
+                   engine_options(options).exact()) {
+    explainer_.on_smaller([this](const solitaire::Conflict& conflict) { keep(conflict); });
+  }
 
   std::optional<Conflict> next() {
-    const SourceSet& sources = program_.state().program.sources;
-    return translated(sources, [&]() -> std::optional<Conflict> {
+    return translated(sources(), [&]() -> std::optional<Conflict> {
       const std::optional<solitaire::Conflict> conflict = explainer_.next_conflict();
+      const std::lock_guard lock(mutex_);
+      best_.reset();
       if (!conflict) return std::nullopt;
-      return frozen(*conflict, {sources, explainer_.addresses()});
+      return frozen(*conflict, {sources(), explainer_.addresses()});
     });
   }
+
+  std::optional<Conflict> best_so_far() const {
+    const std::lock_guard lock(mutex_);
+    return best_;
+  }
+
+  void observe(ExplainObserver* observer) { observer_ = observer; }
   Ending ending() const { return public_ending(explainer_.ending()); }
 
  private:
+  const SourceSet& sources() const { return program_.state().program.sources; }
+
+  void keep(const solitaire::Conflict& conflict) {
+    Conflict made = frozen(conflict, {sources(), explainer_.addresses()});
+    if (observer_ != nullptr) observer_->smaller(made);
+    const std::lock_guard lock(mutex_);
+    best_ = std::move(made);
+  }
+
   Program program_;
   StopToken stop_;  // keeps alive what the engine looks at
   solitaire::Explainer explainer_;
+  ExplainObserver* observer_ = nullptr;
+  mutable std::mutex mutex_;  // guards best_
+  std::optional<Conflict> best_;
 };
 
 Explainer::Explainer(const Program& program, const Options& options)
@@ -89,6 +113,8 @@ Explainer::Explainer(const Program& program, const Options& options)
 Explainer::~Explainer() = default;
 std::optional<Conflict> Explainer::next() { return state_->next(); }
 Ending Explainer::ending() const { return state_->ending(); }
+std::optional<Conflict> Explainer::best_so_far() const { return state_->best_so_far(); }
+void Explainer::observe(ExplainObserver* observer) { state_->observe(observer); }
 
 Ending explain(const Program& program, const ExplainOptions& options, ExplainObserver& observer) {
   const Questions asked(program, options);

@@ -1,7 +1,12 @@
 #include "library/explanation.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
 
 namespace solitaire::api {
 namespace {
@@ -129,23 +134,93 @@ std::string words_of(const solitaire::Condition& condition, const ExplanationCon
 
 namespace {
 
-std::string conflict_text(const solitaire::Conflict& conflict, const ExplanationContext& context) {
+/// Members that are told as one: both ends of a range, or what one place of the text asks of many calls and
+/// turns.
+struct Told {
+  std::string words;
+  std::vector<const solitaire::Condition*> members;
+};
+
+/// A place that takes part more often than this is told once.
+constexpr std::size_t kMostAlike = 3;
+/// About a screen: with its line, its carets and its notes each takes four lines.
+constexpr std::size_t kMostTold = 9;
+
+/// Returns each member by itself, and both ends of a range as one.
+std::vector<Told> each_told(const solitaire::Conflict& conflict, const ExplanationContext& context) {
   const std::vector<solitaire::Condition>& members = conflict.members;
-  std::string text;
-  std::size_t shown = 0;
-  for (std::size_t i = 0; i < members.size(); ++i, ++shown) {
-    std::string words = words_of(members[i], context);
-    if (i + 1 < members.size() && same_range(members[i], members[i + 1])) {
-      words = fmt::format("{} lies within {}..{}", context.addresses.text(members[i].address),
-                          members[i].domain->lo, members[i].domain->hi);
-      ++i;
-    }
-    text += format(diagnostic_of(members[i], words, context), context.sources, kind_of(members[i]));
+  std::vector<Told> told;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    told.push_back({words_of(members[i], context), {&members[i]}});
+    if (i + 1 == members.size() || !same_range(members[i], members[i + 1])) continue;
+    told.back().words = fmt::format("{} lies within {}..{}", context.addresses.text(members[i].address),
+                                    members[i].domain->lo, members[i].domain->hi);
+    ++i;
   }
-  const std::string head =
-      shown == 1 ? "this cannot hold:\n" : fmt::format("these {} cannot hold together:\n", shown);
+  return told;
+}
+
+/// Returns what stands at one place of the text as one, where that is much.
+std::vector<Told> alike_as_one(std::vector<Told> told) {
+  const auto place = [](const Told& one) {
+    const solitaire::Condition& first = *one.members.front();
+    return std::tuple(first.span.source, first.span.begin, first.span.end, std::string(kind_of(first)));
+  };
+  std::map<decltype(place(told.front())), std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < told.size(); ++i) places[place(told[i])].push_back(i);
+  std::vector<Told> fewer;
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const std::vector<std::size_t>& alike = places[place(told[i])];
+    if (alike.size() <= kMostAlike) fewer.push_back(std::move(told[i]));
+    if (alike.size() <= kMostAlike || alike.front() != i) continue;
+    fewer.push_back({told[i].words, {}});
+    for (const std::size_t other : alike) fewer.back().members.push_back(told[other].members.front());
+  }
+  return fewer;
+}
+
+/// Says where members that are told as one stand.
+std::string times_text(const Told& told, const ExplanationContext& context) {
+  constexpr std::size_t kNamed = 3;
+  std::string text = fmt::format("{} times, first at ", told.members.size());
+  for (std::size_t i = 0; i < kNamed; ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", context.addresses.text(told.members[i]->address));
+  return text + ", last at " + context.addresses.text(told.members.back()->address);
+}
+
+std::string told_text(const Told& told, const ExplanationContext& context) {
+  const solitaire::Condition& first = *told.members.front();
+  if (told.members.size() == 1) {
+    return format(diagnostic_of(first, told.words, context), context.sources, kind_of(first));
+  }
+  solitaire::Diagnostic diagnostic{first.span, told.words, "", {times_text(told, context)}};
+  if (!first.message.empty()) diagnostic.notes.push_back("message: " + first.message);
+  return format(diagnostic, context.sources, kind_of(first));
+}
+
+/// Asserts and pins say more than ranges, so that they come first where not all is told.
+void keep_a_screen(std::vector<Told>& told) {
+  const auto is_range = [](const Told& one) {
+    return is_end(one.members.front()->requirement) && one.members.front()->pin == nullptr;
+  };
+  std::stable_partition(told.begin(), told.end(), [&](const Told& one) { return !is_range(one); });
+  told.resize(kMostTold - 1);
+}
+
+std::string conflict_text(const solitaire::Conflict& conflict, const ExplanationContext& context,
+                          bool whole) {
+  std::vector<Told> told = each_told(conflict, context);
+  const std::size_t count = told.size();
+  if (!whole) told = alike_as_one(std::move(told));
+  const std::size_t places = told.size();
+  if (!whole && places > kMostTold) keep_a_screen(told);
+  std::string text =
+      count == 1 ? "this cannot hold:\n" : fmt::format("these {} cannot hold together:\n", count);
+  for (const Told& one : told) text += told_text(one, context);
+  if (told.size() < places)
+    text += fmt::format("and {} others; explain --full shows them all\n", places - told.size());
   if (!conflict.minimal) text += "it was not found out whether all of them are needed, nor which ranges\n";
-  return head + text;
+  return text;
 }
 
 std::string dead_text(const solitaire::DeadAsserts& asserts, const SourceSet& sources) {
@@ -197,7 +272,8 @@ Condition frozen_condition(const solitaire::Condition& condition, const Explanat
 }  // namespace
 
 Conflict frozen(const solitaire::Conflict& conflict, const ExplanationContext& context) {
-  Conflict made{conflict.minimal, {}, conflict_text(conflict, context)};
+  Conflict made{
+      conflict.minimal, {}, conflict_text(conflict, context, false), conflict_text(conflict, context, true)};
   for (const solitaire::Condition& condition : conflict.members)
     made.members.push_back(frozen_condition(condition, context));
   return made;

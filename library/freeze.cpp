@@ -45,7 +45,8 @@ Placement frozen(const PlacedObject& placement) {
           placement.angle,  placement.color,
           placement.name,   placement.address,
           placement.calls,  frozen_choices(placement.choices),
-          placement.extras, placement.source};
+          placement.extras, placement.source,
+          placement.folder};
 }
 
 BrokenAssert frozen(const solitaire::BrokenAssert& broken, const SourceSet& sources) {
@@ -94,7 +95,8 @@ Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const
   made.text = solitaire::to_text(solution.value);
   made.choices = frozen_choices(solution.choices);
   if (const auto& quality = solution.quality)
-    made.quality = Quality{quality->broken, quality->wishes, quality->cost, quality->proved};
+    made.quality = Quality{quality->broken, quality->wishes, quality->cost, quality->proved,
+                           solution.only_wish && sources.text(*solution.only_wish).starts_with("maximize")};
   for (const solitaire::BrokenAssert& broken : solution.broken)
     made.broken.push_back(frozen(broken, sources));
   for (const solitaire::UnmetWish& wish : solution.unmet) made.unmet.push_back(frozen(wish, sources));

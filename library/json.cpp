@@ -1,5 +1,7 @@
 #include "library/json.h"
 
+#include <algorithm>
+#include <iterator>
 #include <solitaire/error.h>
 #include <solitaire/explain.h>
 

@@ -4,6 +4,7 @@
 #include <solitaire/solitaire.h>
 
 #include "library/choice_columns.h"
+#include "library/folder_lock.h"
 #include "library/program_state.h"
 #include "library/run_manifest.h"
 #include "library/scene_of.h"
@@ -11,6 +12,7 @@
 #include "library/translate.h"
 #include "scene/assets.h"
 #include "scene/atomic_file.h"
+#include "scene/gltf/verify.h"
 #include "scene/gltf/writer.h"
 #include "scene/page/page_files.h"
 #include "scene/picture/picture_files.h"
@@ -37,6 +39,16 @@ std::string shortened(const std::string& text) {
 
 AssetLibrary assets_of(const Program& program) {
   return {program.state().data / "assets", program.state().program.folder()};
+}
+
+/// Returns true if the file is there and shows the scene: it was neither removed nor cut short since.
+bool is_written(const Scene& scene, const fs::path& file) {
+  try {
+    verify_glb(file, scene);
+    return true;
+  } catch (const SceneError&) {
+    return false;
+  }
 }
 
 /// Makes the folder ready for a run's files, and returns it.
@@ -81,7 +93,8 @@ class OutputFolder::State {
         options_(options),
         timings_(timings),
         assets_(assets_of(program)),
-        page_(made_folder(folder), program.state().data / "page") {
+        lock_(made_folder(folder)),
+        page_(folder, program.state().data / "page") {
     if (pictures)
       pictures_.emplace(folder, solitaire::PictureSize{pictures->width, pictures->height}, options.jobs);
   }
@@ -96,6 +109,8 @@ class OutputFolder::State {
       if (solution.quality && optimal) solution.quality->proved_best = *optimal;
       GalleryEntry entry = entry_of(solution);
       const auto scene = scene_of_entry(entry, solution);
+      if (scene && !is_written(*scene, folder_ / entry.glb))
+        solitaire::write_glb(*scene, folder_ / entry.glb);
       if (scene && pictures_) entry.picture = pictures_->take_up(*scene, entry.name);
       show(std::move(entry), solution, scene, scene ? glb_bytes(*scene) : "");
     }
@@ -131,6 +146,7 @@ class OutputFolder::State {
     return page;
   }
 
+  std::vector<std::string> notes() const { return assets_.notes(); }
   const SourceSet& sources() const { return program_.state().program.sources; }
 
  private:
@@ -210,6 +226,7 @@ class OutputFolder::State {
   SearchOptions options_;
   bool timings_;
   AssetLibrary assets_;
+  FolderLock lock_;
   std::optional<PictureFiles> pictures_;
   PageFiles page_;
   std::vector<GalleryEntry> entries_;
@@ -227,6 +244,8 @@ OutputFolder::~OutputFolder() = default;
 void OutputFolder::resume(Search& search) {
   translated(state_->sources(), [&] { state_->resume(search); });
 }
+
+std::vector<std::string> OutputFolder::notes() const { return state_->notes(); }
 
 void OutputFolder::add(const Solution& solution, const Summary& summary) {
   translated(state_->sources(), [&] { state_->add(solution, summary); });

@@ -50,22 +50,27 @@ void add_pins(Json& json, const Options& options) {
   if (!options.keep.empty()) json["keep"] = options.keep;
 }
 
-/// Returns those options that decide which solutions come.
+/// With --all, and --diversity low, a search goes through the solutions in order.
+Diversity diversity_of(const SearchOptions& options) {
+  return options.diversity.value_or(options.all ? Diversity::kLow : Diversity::kNormal);
+}
+
+/// Returns those options that decide which solutions come, apart from how many there are to be.
 Json options_json(const SearchOptions& options) {
-  Json json = Json::object();
-  if (options.all) {
-    json["all"] = true;
-  } else {
-    json["n"] = options.count;
-  }
-  json["distinct"] = options.distinct == Distinct::kResult ? "result" : "choices";
-  if (options.diversity) json["diversity"] = level_name(*options.diversity);
+  Json json{{"distinct", options.distinct == Distinct::kResult ? "result" : "choices"},
+            {"diversity", level_name(diversity_of(options))}};
   if (options.min_distance > 0) json["min_distance"] = options.min_distance;
   json["explore"] = options.exploration_name();
   json["max_steps"] = options.max_steps;
   json["max_depth"] = options.max_depth;
   if (options.relax) json["relax"] = true;
   add_pins(json, options);
+  return json;
+}
+
+Json all_options_json(const SearchOptions& options) {
+  Json json = options.all ? Json{{"all", true}} : Json{{"n", options.count}};
+  json.update(options_json(options));
   return json;
 }
 
@@ -115,12 +120,13 @@ Json run_json(const Program& program, const SearchOptions& options) {
   return {{"program", program.file_name()},
           {"params", std::move(params)},
           {"seed", options.seed},
-          {"engine", fmt::format("{}/{}", uniform ? "uniform" : "tracing", solver_name(options.solver))}};
+          {"engine", fmt::format("{}/{}", uniform ? "uniform" : "tracing", solver_name(options.solver))},
+          {"options", options_json(options)}};
 }
 
 Json manifest_json(const SearchOptions& options, const Summary& summary, std::optional<Ending> ending,
                    StopReason reason) {
-  Json json{{"options", options_json(options)},
+  Json json{{"options", all_options_json(options)},
             {"solutions", summary.solutions},
             {"ended", ending_name(ending, reason)}};
   if (summary.solutions > 1) {

@@ -11,9 +11,9 @@ namespace {
 constexpr std::array<double, 3> kRed = {0.85, 0.1, 0.1};
 
 PlacedThing to_thing(const Placement& placement) {
-  PlacedThing thing{placement.asset,  placement.at,    placement.size,    placement.turn,  placement.angle,
-                    placement.color,  placement.name,  placement.address, placement.calls, {},
-                    placement.extras, placement.source};
+  PlacedThing thing{placement.asset,  placement.at,     placement.size,    placement.turn,  placement.angle,
+                    placement.color,  placement.name,   placement.address, placement.calls, {},
+                    placement.extras, placement.source, placement.folder};
   for (const Choice& choice : placement.choices) thing.choices.push_back({choice.address, choice.value});
   return thing;
 }

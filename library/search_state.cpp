@@ -65,7 +65,11 @@ std::optional<Solution> Search::State::next() {
   if (!wants_more()) return std::nullopt;
   try {
     const std::optional<solitaire::Solution> found = translated(sources(), [&] {
+      // What repeats an earlier run does not count as a search for a further solution; exploring does.
+      const bool repeats = resumed_ && !begun_;
+      if (!repeats) start_clock();
       begin();
+      if (repeats) start_clock();
       return find();
     });
     if (!found) return std::nullopt;
@@ -83,7 +87,14 @@ Ending Search::State::ending() const {
   return wants_more() ? public_ending(stream_->ending()) : Ending::kNone;
 }
 
-/// Does what comes before the first solution, and does not count as a search for it.
+void Search::State::start_clock() {
+  if (!options_.seconds_per_solution) return;
+  extended_ = false;
+  deadline_ = after(*options_.seconds_per_solution);
+  stop_.set_deadline(*deadline_, StopReason::kTimePerSolution);
+}
+
+/// Does what comes before the first solution.
 void Search::State::begin() {
   if (std::exchange(begun_, true)) return;
   if (options_.relax) check_mistakes();
@@ -101,11 +112,6 @@ void Search::State::take_times() {
 }
 
 std::optional<solitaire::Solution> Search::State::find() {
-  if (options_.seconds_per_solution) {
-    extended_ = false;
-    deadline_ = after(*options_.seconds_per_solution);
-    stop_.set_deadline(*deadline_, StopReason::kTimePerSolution);
-  }
   if (observer_ != nullptr) observer_->begun();
   if (auto* exploring = ability_of<Exploring>(*stream_)) {
     exploring->explore();
@@ -132,6 +138,7 @@ void Search::State::check_mistakes() {
 }
 
 std::vector<Solution> Search::State::resume(const std::vector<std::vector<Choice>>& earlier) {
+  resumed_ = true;
   std::vector<ChosenValues> known;
   for (const std::vector<Choice>& choices : earlier) known.push_back(known_choices(choices));
   std::vector<Solution> solutions;

@@ -53,6 +53,7 @@ class Search::State {
 
  private:
   const SourceSet& sources() const { return program_.state().program.sources; }
+  void start_clock();
   void begin();
   std::uint64_t alike() const;
   void take_times();
@@ -68,6 +69,7 @@ class Search::State {
   SearchObserver* observer_ = nullptr;
   std::unique_ptr<SolutionStream> stream_;
   SearchAccount account_;
+  bool resumed_ = false;
   bool begun_ = false;
   bool extended_ = false;  // the time for this solution
   bool stopped_ = false;

@@ -13,20 +13,31 @@ namespace fs = std::filesystem;
   throw Error(Error::Kind::kFile, fmt::format("{}: {}", path.string(), reason));
 }
 
-void check_run(const Json& file, const Json& expected, const fs::path& path) {
-  for (const auto& [member, value] : expected.items()) {
-    const Json found = file.value(member, Json());
-    if (found == value) continue;
-    fail(path,
-         fmt::format("comes from a run with another {}: {} and not {}; resume with the same options, or "
-                     "generate into another folder",
-                     member, found.dump(), value.dump()));
+/// Refuses a file whose members are others than those of this run. `of` is what they are members of.
+void check_run(const Json& file, const Json& expected, const fs::path& path, const std::string& of = "") {
+  Json all = expected;
+  if (!of.empty() && file.is_object())
+    all.update(file);  // an option that only the earlier run had differs, too
+  for (const auto& [member, unused] : all.items()) {
+    const Json found = file.is_object() ? file.value(member, Json()) : Json();
+    const Json wanted = expected.value(member, Json());
+    if (found == wanted) continue;
+    if (wanted.is_object() && of.empty() && member == "options") {
+      check_run(found, wanted, path, "option ");
+      continue;
+    }
+    throw Error(of.empty() ? Error::Kind::kFile : Error::Kind::kUsage,
+                fmt::format("{}: comes from a run with another {}{}: {} and not {}; resume with the same "
+                            "options, or generate into another folder",
+                            path.string(), of, member, found.dump(), wanted.dump()));
   }
 }
 
 }  // namespace
 
 Json read_solution_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) fail(path, "is a folder, not the .json file of a solution");
   std::ifstream stream(path);
   if (!stream) fail(path, "cannot be read");
   Json solution = Json::parse(stream, nullptr, false);

@@ -18,8 +18,9 @@ struct EarlierSolution {
 };
 
 /// Reads the solutions that an earlier run left in a folder: NAME-0001.json and those that follow it without
-/// a gap. `expected` is what their files have to say of the run: members and values, as "seed". Throws Error
-/// (kFile) for a file that cannot be read, is no solution's, or comes from another run.
+/// a gap. `expected` is what their files have to say of the run: members and values, as "seed". Throws Error:
+/// kFile for a file that cannot be read, is no solution's, or comes from another run; kUsage where the
+/// options were others.
 std::vector<EarlierSolution> read_earlier_run(const std::filesystem::path& folder, const std::string& name,
                                               const Json& expected);
 

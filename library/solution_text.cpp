@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <solitaire/solution.h>
 
@@ -9,13 +10,33 @@ std::string to_text(const ChoiceValue& value) {
   return std::visit([](auto answer) { return solitaire::to_text(TypedScalar::of(answer)); }, value);
 }
 
+namespace {
+
+constexpr std::size_t kMostWishes = 10;
+
+/// Says which wishes cost something, in lines of their own.
+std::string wishes_text(const std::vector<UnmetWish>& unmet) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(unmet.size(), kMostWishes); ++i)
+    text += fmt::format("  unmet: {}\n", to_text(unmet[i]));
+  if (unmet.size() > kMostWishes)
+    text += fmt::format("  and {} other wishes that cost something\n", unmet.size() - kMostWishes);
+  return text;
+}
+
+}  // namespace
+
 std::string quality_text(const Solution& solution) {
   if (!solution.quality) return "";
   const Quality& quality = *solution.quality;
   std::string text;
   if (quality.broken > 0)
     text += fmt::format("{} assert{} broken, ", quality.broken, quality.broken == 1 ? "" : "s");
-  if (quality.wishes > 0) text += fmt::format("cost {}, ", quality.cost);
+  if (quality.is_maximum) {
+    text += fmt::format("maximum {}, ", -quality.cost);
+  } else if (quality.wishes > 0) {
+    text += fmt::format("cost {}, ", quality.cost);
+  }
   return text + (quality.proved_best ? "proved the best left" : "not proved the best left");
 }
 
@@ -32,6 +53,7 @@ std::string to_text(const UnmetWish& wish) {
 std::string to_text(const Solution& solution) {
   std::string text = fmt::format("solution {}: {}\n", solution.number, solution.text);
   if (solution.quality) text += fmt::format("  {}\n", quality_text(solution));
+  text += wishes_text(solution.unmet);
   for (const BrokenAssert& broken : solution.broken) text += fmt::format("  broken: {}\n", to_text(broken));
   for (const Choice& choice : solution.choices)
     text += fmt::format("  {} = {}\n", choice.address, to_text(choice.value));

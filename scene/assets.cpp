@@ -1,12 +1,16 @@
 #include "scene/assets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <utility>
 
+#include "base/nearest_name.h"
 #include "scene/error.h"
 #include "scene/gltf/accessor_view.h"
 #include "scene/gltf/asset_model.h"
+#include "scene/gltf/left_out.h"
 #include "scene/gltf/reader.h"
 
 namespace solitaire {
@@ -23,6 +27,13 @@ Box3 measured_box(const AssetModel& model) {
     }
   });
   return box;
+}
+
+/// Beyond it 32-bit floats no longer tell centimetres apart, as in scenes.
+bool is_measurable(const Box3& box) {
+  constexpr double kLargest = 1e7;  // metres
+  const auto near = [](double number) { return std::abs(number) <= kLargest; };
+  return std::ranges::all_of(box.low, near) && std::ranges::all_of(box.high, near);
 }
 
 int first_material(const AssetModel& model) {
@@ -75,7 +86,10 @@ Asset load_asset(const fs::path& file) {
   asset.name = file.stem().string();
   asset.box = measured_box(*model);
   if (asset.box.empty()) throw SceneError(fmt::format("cannot use {}: it shows nothing", file.string()));
+  if (!is_measurable(asset.box))
+    throw SceneError(fmt::format("cannot use {}: it reaches further than 10,000 km", file.string()));
   asset.color = material_color(*model);
+  asset.left_out = left_out(*model);
   read_front(*model, asset);
   read_use(*model, asset);
   asset.model = std::move(model);
@@ -95,20 +109,75 @@ bool can_be_bundled(const std::string& name) {
   });
 }
 
+constexpr std::size_t kMostNamed = 12;  // in a note
+constexpr std::size_t kLongestNamed = 60;
+
+std::string shortened(const std::string& name) {
+  return name.size() <= kLongestNamed ? name : name.substr(0, kLongestNamed) + "...";
+}
+
+std::vector<std::string> bundled_names(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
+    if (file.path().extension() == ".glb") names.push_back(file.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());  // the folder has them in any order
+  return names;
+}
+
 }  // namespace
 
 AssetLibrary::AssetLibrary(fs::path bundled, fs::path script_folder)
     : bundled_(std::move(bundled)), script_folder_(std::move(script_folder)) {}
 
-const Asset* AssetLibrary::find(const std::string& name) {
-  if (const auto known = by_name_.find(name); known != by_name_.end()) return known->second;
+const Asset* AssetLibrary::find(const std::string& name, const std::string& folder) {
+  const std::pair key(name, folder);
+  if (const auto known = by_name_.find(key); known != by_name_.end()) return known->second;
   const Asset* asset = nullptr;
   if (is_path(name)) {
-    asset = load(name, script_folder_ / name);
-  } else if (can_be_bundled(name) && fs::exists(bundled_ / (name + ".glb"))) {
+    asset = load(name, file_of(name, folder));
+  } else if (std::error_code none; can_be_bundled(name) && fs::exists(bundled_ / (name + ".glb"), none)) {
     asset = load(name, bundled_ / (name + ".glb"));
   }
-  return by_name_[name] = asset;
+  return by_name_[key] = asset;
+}
+
+fs::path AssetLibrary::file_of(const std::string& name, const std::string& folder) const {
+  std::error_code none;
+  const fs::path beside = script_folder_ / folder / name;
+  return !folder.empty() && fs::exists(beside, none) ? beside : script_folder_ / name;
+}
+
+std::vector<std::string> AssetLibrary::notes() const {
+  std::vector<std::string> notes;
+  if (std::string boxes = boxes_note(); !boxes.empty()) notes.push_back(std::move(boxes));
+  for (const auto& [file, asset] : by_file_) {
+    if (!asset.left_out.empty())
+      notes.push_back(fmt::format("{} is shown without {}", file.filename().string(), asset.left_out));
+  }
+  return notes;
+}
+
+/// Says which names have no model, and what those that are nearly a model's were perhaps meant to be.
+std::string AssetLibrary::boxes_note() const {
+  std::vector<std::string> boxes, models;
+  for (const auto& [key, asset] : by_name_) {
+    const std::string& name = key.first;
+    if (asset != nullptr || name.empty() || name == "box") continue;
+    if (std::ranges::find(boxes, name) != boxes.end()) continue;
+    if (models.empty()) models = bundled_names(bundled_);
+    boxes.push_back(name);
+  }
+  const std::size_t count = boxes.size();
+  boxes.resize(std::min(count, kMostNamed));
+  for (std::string& name : boxes) {
+    const std::string meant = misspelled_name(name, models);
+    name = shortened(name) + (meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant));
+  }
+  if (count == 0) return "";
+  return fmt::format("{}{}: no model is called so, and boxes stand there", fmt::join(boxes, ", "),
+                     count > kMostNamed ? fmt::format(" and {} others", count - kMostNamed) : "");
 }
 
 const Asset* AssetLibrary::load(const std::string& name, const fs::path& file) {

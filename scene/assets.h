@@ -4,6 +4,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scene/color.h"
 #include "scene/geometry.h"
@@ -23,7 +25,8 @@ struct Asset {
   bool has_front = true;
   bool keeps_proportions = false;  // as a tree does, and a table does not
   Role role = Role::kThing;
-  Color color{};  // of its primary material
+  Color color{};         // of its primary material
+  std::string left_out;  // what its file has and it does not show: "its lights"; or ""
   std::shared_ptr<const AssetModel> model;
 };
 
@@ -33,17 +36,24 @@ class AssetLibrary {
   /// `bundled` holds NAME.glb files; paths that programs write are relative to `script_folder`.
   AssetLibrary(std::filesystem::path bundled, std::filesystem::path script_folder);
 
-  /// Returns a bundled asset by its name, or the user's own by a path that ends in .glb or .gltf. Returns
-  /// nullptr if no asset has this name; a scene shows a box then. Throws SceneError for a file that is
-  /// missing, broken or not supported. The asset lives as long as the library.
-  const Asset* find(const std::string& name);
+  /// Returns a bundled asset by its name, or the user's own by a path that ends in .glb or .gltf, which is
+  /// looked for in `folder`, relative to the script's, and then beside the script. Returns nullptr if no
+  /// asset has this name; a scene shows a box then. Throws SceneError for a file that is missing, broken or
+  /// not supported. The asset lives as long as the library.
+  const Asset* find(const std::string& name, const std::string& folder = "");
+
+  /// Returns what there is to tell of the assets that were looked for so far, a line each: names that no
+  /// asset has, and what models have that is not shown.
+  std::vector<std::string> notes() const;
 
  private:
+  std::filesystem::path file_of(const std::string& name, const std::string& folder) const;
+  std::string boxes_note() const;
   const Asset* load(const std::string& name, const std::filesystem::path& file);
 
   std::filesystem::path bundled_;
   std::filesystem::path script_folder_;
-  std::map<std::string, const Asset*> by_name_;
+  std::map<std::pair<std::string, std::string>, const Asset*> by_name_;  // and folder
   std::map<std::filesystem::path, Asset> by_file_;
 };
 

@@ -113,19 +113,18 @@ void write_directly(const fs::path& path, std::string_view bytes) {
 void write_file_atomically(const fs::path& path, std::string_view bytes,
                            const std::function<void(const fs::path&)>& check) {
   std::error_code unknown;
-  const fs::path resolved = fs::canonical(path, unknown);  // a link stays a link to the new file
-  const fs::path target = unknown ? path : resolved;
-  const fs::file_type type = fs::status(target, unknown).type();
+  const fs::file_type type = fs::status(path, unknown).type();
   if (type == fs::file_type::directory) fail(path, EISDIR);
-  if (type != fs::file_type::regular && type != fs::file_type::not_found && type != fs::file_type::none) {
-    return write_directly(target, bytes);
-  }
+  const bool is_file =
+      type == fs::file_type::regular || type == fs::file_type::not_found || type == fs::file_type::none;
+  // /dev/stdout is a link to where the output goes, which can be a file.
+  if (!is_file || path.lexically_normal().parent_path() == "/dev") return write_directly(path, bytes);
 
-  Temporary temporary(target);
+  Temporary temporary(path);
   Output output(temporary.path(), O_CREAT | O_TRUNC | O_NOFOLLOW);
   if (!output.is_open() || !output.write(bytes) || !output.close()) fail(path, errno);
   if (check) check(temporary.path());
-  if (!temporary.rename_to(target)) fail(path, errno);
+  if (!temporary.rename_to(path)) fail(path, errno);  // of a link, the link itself
 }
 
 void remove_abandoned_files(const fs::path& folder) {

@@ -117,7 +117,7 @@ SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& ass
   SceneObject object;
   object.thing = thing;
   try {
-    object.asset = assets.find(thing.asset);
+    object.asset = assets.find(thing.asset, thing.folder);
   } catch (const SceneError& error) {
     fail(thing, error.what());
   }

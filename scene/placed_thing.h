@@ -30,6 +30,7 @@ struct PlacedThing {
   std::vector<DecidingChoice> choices;
   std::vector<std::pair<std::string, std::string>> extras;  // further facts: name, value as JSON text
   std::string source;                                       // the place in the program: "file.sol:12:3"
+  std::string folder;  // of that file, relative to the script's; its models are looked for there first
 };
 
 }  // namespace solitaire

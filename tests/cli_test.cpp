@@ -1,9 +1,12 @@
 // The command line as a user has it: the built program, its exit status, its output and its files.
 #include <algorithm>
+#include <chrono>
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <sys/file.h>
 #include <unistd.h>
 #include <z3++.h>
 
@@ -413,6 +416,41 @@ TEST_CASE("cli: --relax gives near misses, and says and shows what is broken") {
   CHECK(has(bytes_of(place / "near/index.html"), "broken: tight.sol:3:8"));
 }
 
+TEST_CASE("cli: near misses break few conjuncts, and come near in comparisons") {
+  const Workplace place;
+  const auto nearest = [&](const std::string& text, const char* engine) {
+    const std::string script = place.file("near.sol", text);
+    return json::parse(run_solitaire({"solve", script, "--relax", "--json", "-q", "--engine", engine}).out);
+  };
+  for (const char* engine : {"cadical", "z3"}) {
+    CAPTURE(engine);
+    CHECK(nearest("x = range(0, 9);\nassert(x > 20);\nreturn x;\n", engine)["value"] == 9);
+    CHECK(nearest("x = range(0, 9);\nassert(x >= 20 or x < -5);\nreturn x;\n", engine)["value"] == 0);
+    CHECK(nearest("x = range(0, 9);\nassert(not (x < 12 and x != 15));\nreturn x;\n", engine)["value"] == 9);
+    CHECK(nearest("x, y = range(0, 9), range(10, 19);\nassert(x == y);\nreturn [x, y];\n", engine)["value"] ==
+          json({9, 10}));
+    // Five in four places: one pair has to share one, and only these two are to blame.
+    const json five =
+        nearest("xs = [range(0, 3) for i in 1..5];\nassert(distinct(xs));\nreturn xs;\n", engine);
+    std::map<int, int> taken;
+    for (const json& x : five["value"]) ++taken[x.get<int>()];
+    CHECK(taken.size() == 4);
+  }
+}
+
+TEST_CASE("cli: only things that a broken conjunct is about are marked") {
+  const Workplace place;
+  const std::string script = place.file(
+      "row.sol",
+      "import \"std/layout.sol\";\nts = [Thing(\"table\", 1, 1, 0, range(0, 3), 0) for i in 1..5];\n"
+      "assert(all_apart(ts), \"apart\");\nshow_all(ts);\n");
+  CHECK(run_solitaire({"generate", script, "--relax", "-n", "1", "-o", place / "near"}).status == 0);
+  const tinygltf::Model scene = read_gltf(place / "near/row-0001.glb");
+  CHECK(std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const tinygltf::Node& node) {
+          return node.extras.IsObject() && node.extras.Has("broken");
+        }) == 2);
+}
+
 TEST_CASE("cli: of a program with wishes the best come first, with their cost") {
   const Workplace place;
   const std::string script =
@@ -480,6 +518,20 @@ TEST_CASE("cli: --resume goes on with an earlier run, and refuses one that was a
   const Outcome other_seed = generate("parts", "50", {"--resume", "--seed", "4"});
   CHECK(other_seed.status == 3);
   CHECK(has(other_seed.err, "scene-0001.json: comes from a run with another seed: 0 and not 4"));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> others = {
+      {{"--forbid", "x=3"}, "another option forbid: null and not [\"x=3\"]"},
+      {{"--min-distance", "0.5"}, "another option min_distance: null and not 0.5"},
+      {{"--relax"}, "another option relax: null and not true"},
+      {{"--distinct", "choices"}, "another option distinct: \"result\" and not \"choices\""},
+      {{"--diversity", "high"}, "another option diversity: \"normal\" and not \"high\""},
+      {{"--explore", "random:9"}, "another option explore: \"demand\" and not \"random:9\""}};
+  for (const auto& [options, why] : others) {
+    std::vector<std::string> with = {"--resume"};
+    with.insert(with.end(), options.begin(), options.end());
+    const Outcome other = generate("parts", "50", with);
+    CHECK(other.status == 2);
+    CHECK(has(other.err, "scene-0001.json: comes from a run with " + why));
+  }
   place.file("scene.sol", std::string("assert(range(0, 1) == 1);\n") + kScene);
   const Outcome other_program = generate("parts", "50", {"--resume"});
   CHECK(other_program.status == 3);
@@ -488,6 +540,88 @@ TEST_CASE("cli: --resume goes on with an earlier run, and refuses one that was a
   CHECK(
       has(generate("parts", "50", {"--resume"}).err, "scene-0002.json: is not the .json file of a solution"));
   CHECK(bytes_of(place / "parts/index.html") == page);
+}
+
+TEST_CASE("cli: --resume makes scenes again that were removed or cut short") {
+  const Workplace place;
+  const std::string script = place.file("scene.sol", kScene);
+  const auto generate = [&](const char* folder, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"generate", script, "-n", "5", "-o", place / folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_solitaire(arguments);
+  };
+  CHECK(generate("whole", {}).status == 0);
+  CHECK(generate("parts", {}).status == 0);
+  fs::remove(place / "parts/scene-0002.glb");
+  fs::resize_file(place / "parts/scene-0004.glb", 100);
+  CHECK(generate("parts", {"--resume"}).status == 0);
+  CHECK(run({"diff", "-r", place / "whole", place / "parts"}).out == "");
+}
+
+TEST_CASE("cli: two runs do not write into one folder at once") {
+  const Workplace place;
+  const std::string script = place.file("scene.sol", kScene);
+  const std::string out = place / "out";
+  fs::create_directory(out);
+  const int folder = ::open(out.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  REQUIRE(::flock(folder, LOCK_EX) == 0);
+  const Outcome kept_out = run_solitaire({"generate", script, "-n", "1", "-o", out});
+  CHECK(kept_out.status == 3);
+  CHECK(has(kept_out.err, "out: another run writes into this folder"));
+  ::close(folder);
+  CHECK(run_solitaire({"generate", script, "-n", "1", "-o", out}).status == 0);
+}
+
+TEST_CASE("cli: a script without a command, and values that are none, get a line that says so") {
+  const Workplace place;
+  const std::string script = place.file("x.sol", "x = range(0, 9);\nreturn x;\n");
+  const auto told = [](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_solitaire(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out == "");
+    return outcome.err;
+  };
+  CHECK(has(told({script}), "is no command; the commands are generate, solve,"));
+  CHECK(has(told({script}), "to find solutions: solitaire solve " + script));
+  for (const std::string seed : {"-1", "", "100000000000000000000", "1.5", "nan"}) {
+    CAPTURE(seed);
+    CHECK(has(told({"solve", script, "--seed", seed}), "'" + seed + "' is not a whole number from 0"));
+  }
+  for (const std::string count : {"0", "", "100000000000000000000"})
+    CHECK(has(told({"solve", script, "-n", count}), "'" + count + "' is not a whole number from 1"));
+  for (const std::string seconds : {"nan", "inf", "", "1e400", "-1"})
+    CHECK(has(told({"solve", script, "--timeout", seconds}), "'" + seconds + "' is not a number of seconds"));
+  CHECK(has(run_solitaire({"solve", script, "--pin-file", place / "."}).err,
+            "is a folder, not the .json file"));
+}
+
+TEST_CASE("cli: a check that had nothing to look at says so") {
+  const Workplace place;
+  const std::string script = place.file("x.sol", "fun f() { return 1 + \"a\"; }\n");
+  CHECK(
+      has(run_solitaire({"check", script}).err, "nothing was met that chooses, requires or places anything"));
+}
+
+TEST_CASE("cli: solutions say what each wish came to") {
+  const Workplace place;
+  const std::string best = place.file(
+      "wish.sol", "x = range(0, 9);\nassert(x < 5);\nprefer(x > 7, 3);\nprefer(x != 1);\nreturn x;\n");
+  const std::string text = run_solitaire({"solve", best}).out;
+  CHECK(has(text, "cost 3, proved the best left\n  unmet: wish.sol:3:1: prefer(x > 7, 3) (cost 3)\n"));
+  CHECK(!has(text, "x != 1"));
+  const std::string most = place.file("most.sol", "x = range(0, 9);\nmaximize(3 * x);\nreturn x;\n");
+  CHECK(has(run_solitaire({"solve", most}).out,
+            "maximum 27, proved the best left\n"));
+}
+
+TEST_CASE("cli: --per-solution holds while the program is explored (slow)") {
+  const Workplace place;
+  const std::string script = place.file(
+      "lists.sol",
+      "xs = [];\nfor i in 1..400 { if flip() { xs = xs + [range(0, 9)]; } }\nassert(sum(xs) == 777);\n");
+  const auto start = std::chrono::steady_clock::now();
+  run_solitaire({"solve", script, "--per-solution", "1"});
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(4));
 }
 
 /// What `solve --all --json` prints of solutions, sorted, and what brute force finds.

@@ -96,6 +96,57 @@ TEST_CASE("cli: explain --more shows as many independent conflicts as there are"
             "there is no further conflict that is independent of these\n"));
 }
 
+TEST_CASE("cli: conflicts that share an end of a range are not independent") {
+  const Workplace place;
+  const std::string script = place.file("shared.sol", "x = range(0, 5);\nassert(x > 7);\nassert(x > 8);\n");
+  const Outcome outcome = run_solitaire({"explain", script, "--more", "5"});
+  CHECK(!has(outcome.out, "independently"));
+  CHECK(has(outcome.out, "there is no further conflict that is independent of these\n"));
+}
+
+TEST_CASE("cli: a conflict tells what is alike once, and all of it with --full") {
+  const Workplace place;
+  const std::string script =
+      place.file("many.sol",
+                 "xs = [range(0, 9) for i in 1..20];\nfor x in xs: assert(x > 2, \"enough\");\n"
+                 "assert(sum(xs) < 60);\n");
+  const std::string told = run_solitaire({"explain", script}).out;
+  CHECK(without(place, told) ==
+        "many.sol has no solution\n"
+        "these 21 cannot hold together:\n"
+        "many.sol:2:21: assert: x > 2\n"
+        "  2 | for x in xs: assert(x > 2, \"enough\");\n"
+        "    |                     ^^^^^\n"
+        "  note: 20 times, first at assert[0], assert[1], assert[2], last at assert[19]\n"
+        "  note: message: enough\n"
+        "many.sol:3:8: assert: sum(xs) < 60\n"
+        "  3 | assert(sum(xs) < 60);\n"
+        "    |        ^^^^^^^^^^^^^\n");
+  const std::string whole = run_solitaire({"explain", script, "--full"}).out;
+  CHECK(has(whole, "  note: at assert[13]\n"));
+  CHECK(json::parse(run_solitaire({"explain", script, "--json"}).out)["conflicts"][0]["members"].size() ==
+        21);
+  std::string lines;
+  for (int i = 0; i < 30; ++i) lines += "assert(x != " + std::to_string(i) + ");\n";
+  const std::string long_one = place.file("long.sol", "x = range(0, 29);\n" + lines);
+  const std::string screen = run_solitaire({"explain", long_one}).out;
+  CHECK(has(screen, "these 31 cannot hold together:\n"));
+  CHECK(has(screen, "and 23 others; explain --full shows them all\n"));
+  CHECK(std::count(screen.begin(), screen.end(), '\n') < 40);
+}
+
+TEST_CASE("cli: asserts that no path leads to are told") {
+  const Workplace place;
+  const std::string script = place.file("dead.sol",
+                                        "x = range(1, 5);\nif x > 9 { assert(x == 2); }\nassert(x < 10);\n"
+                                        "if x * x == 7 { assert(x == 3); }\nassert(x < 5);\nreturn x;\n");
+  const std::string told = run_solitaire({"explain", script}).out;
+  CHECK(has(told, "dead.sol:2:19: note: this rules nothing out: no execution comes to it\n"));
+  CHECK(has(told, "dead.sol:3:8: note: this rules nothing out: it holds wherever the other conditions do\n"));
+  CHECK(has(told, "dead.sol:4:24: note: this rules nothing out: no execution comes to it\n"));
+  CHECK(!has(told, "dead.sol:5:8:"));
+}
+
 TEST_CASE("cli: explain of what has solutions says what rules nothing out and what never occurs") {
   const Workplace place;
   const std::string script = place.file("solvable.sol", kSolvable);

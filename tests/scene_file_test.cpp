@@ -72,13 +72,16 @@ TEST_CASE("scene: a full device is reported") {
   CHECK(error == "cannot write /dev/full: No space left on device");
 }
 
-TEST_CASE("scene: a write replaces the file, and through a link the file that it leads to") {
+TEST_CASE("scene: a write replaces the file, and a link but not the file that it leads to") {
   TemporaryFolder folder;
   write_file(folder / "a", "before");
   fs::create_symlink("a", folder / "link");
   write_file_atomically(folder / "link", "after");
-  CHECK(read_file(folder / "a") == "after");
-  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(read_file(folder / "a") == "before");
+  CHECK(read_file(folder / "link") == "after");
+  CHECK(!fs::is_symlink(folder / "link"));
+  write_file_atomically(folder / "a", "again");
+  CHECK(read_file(folder / "a") == "again");
   CHECK(folder.entries() == 2);
 }
 

@@ -3,25 +3,34 @@
 namespace solitaire {
 namespace {
 
-bool step_matches(std::string_view pattern, std::string_view step) {
-  if (pattern.empty()) return step.empty();
-  if (pattern.front() != '*') {
-    return !step.empty() && step.front() == pattern.front() &&
-           step_matches(pattern.substr(1), step.substr(1));
+/// Matches a pattern of parts, some of which are wild and stand for any number of others, without going back
+/// further than to the last wild one: what matched before that need not match in another way. So the time is
+/// the product of both lengths at most. `takes(i)` says whether a wild part can stand for i, too.
+template <class Pattern, class Text, class IsWild, class Matches, class Takes>
+bool match(const Pattern& pattern, const Text& text, IsWild is_wild, Matches matches, Takes takes) {
+  constexpr std::size_t kNone = std::string::npos;
+  std::size_t p = 0, t = 0, wild = kNone, resume = 0;
+  while (t < text.size() || p < pattern.size()) {
+    if (p < pattern.size() && is_wild(pattern[p])) {
+      wild = p++;
+      resume = t;
+    } else if (p < pattern.size() && t < text.size() && matches(pattern[p], text[t])) {
+      ++p;
+      ++t;
+    } else {
+      if (wild == kNone || resume == text.size() || !takes(text[resume])) return false;
+      p = wild + 1;
+      t = ++resume;
+    }
   }
-  if (step_matches(pattern.substr(1), step)) return true;
-  const bool within = !step.empty() && step.front() != '[' && step.front() != ']';
-  return within && step_matches(pattern, step.substr(1));
+  return true;
 }
 
-using Steps = std::vector<std::string>;
-
-bool match_from(const Steps& pattern, std::size_t p, const Steps& steps, std::size_t s) {
-  if (p == pattern.size()) return s == steps.size();
-  if (pattern[p] == "**") {
-    return match_from(pattern, p + 1, steps, s) || (s < steps.size() && match_from(pattern, p, steps, s + 1));
-  }
-  return s < steps.size() && step_matches(pattern[p], steps[s]) && match_from(pattern, p + 1, steps, s + 1);
+/// A `*` stays within a step's name, or within the number of a turn.
+bool step_matches(std::string_view pattern, std::string_view step) {
+  return match(
+      pattern, step, [](char c) { return c == '*'; }, [](char a, char b) { return a == b; },
+      [](char c) { return c != '[' && c != ']'; });
 }
 
 }  // namespace
@@ -31,14 +40,15 @@ AddressPattern::AddressPattern(std::string text) : text_(std::move(text)) {
   while (begin <= text_.size()) {
     const std::size_t slash = std::min(text_.find('/', begin), text_.size());
     steps_.push_back(text_.substr(begin, slash - begin));
-    // Several in a row mean what one does, and would take long to match.
-    if (steps_.size() > 1 && steps_.back() == "**" && steps_[steps_.size() - 2] == "**") steps_.pop_back();
     begin = slash + 1;
   }
 }
 
 bool AddressPattern::matches(const std::vector<std::string>& steps) const {
-  return match_from(steps_, 0, steps, 0);
+  return match(
+      steps_, steps, [](const std::string& step) { return step == "**"; },
+      [](const std::string& pattern, const std::string& step) { return step_matches(pattern, step); },
+      [](const std::string&) { return true; });
 }
 
 }  // namespace solitaire

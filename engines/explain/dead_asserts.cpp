@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "engines/explain/asserts_in_text.h"
+
 namespace solitaire {
 namespace {
 
@@ -21,7 +23,9 @@ bool is_assert(const Condition& condition) {
 class Audit {
  public:
   Audit(const Program& program, const ParamValues& params, const TracingOptions& options)
-      : pins_(options.pins, addresses_), solver_(program, params, options, choices_, addresses_, pins_) {}
+      : program_(program),
+        pins_(options.pins, addresses_),
+        solver_(program, params, options, choices_, addresses_, pins_) {}
 
   /// The last asserts first, so that of two that say the same the later one is dead.
   DeadAsserts run() {
@@ -36,12 +40,21 @@ class Audit {
       for (auto span = it->second.rbegin(); span != it->second.rend(); ++span)
         examine(*span, [&](const Condition& each) { return each.span == *span; });
     }
+    add_unreached(asserts);
     std::sort(result_.dead.begin(), result_.dead.end(),
               [](const DeadAssert& a, const DeadAssert& b) { return before(a.span, b.span); });
     return std::move(result_);
   }
 
  private:
+  /// Adds the asserts that no path leads to at all, as where intervals decide a branch.
+  void add_unreached(const std::map<Span, std::set<Span, Before>, Before>& met) {
+    if (!solver_.is_explored()) return;
+    for (const Span condition : asserts_in_text(program_)) {
+      if (met.count(condition) == 0) result_.dead.push_back({condition, false});
+    }
+  }
+
   bool examine(Span span, const Wanted& belongs) {
     const auto among = [&](const Condition& each) { return is_assert(each) && belongs(each); };
     const auto others = [&](const Condition& each) { return !among(each) && left_out_.count(each) == 0; };
@@ -68,6 +81,7 @@ class Audit {
     return true;
   }
 
+  const Program& program_;
   AddressTable addresses_;
   Pins pins_;
   OpenChoices choices_;

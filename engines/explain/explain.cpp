@@ -9,7 +9,6 @@
 namespace solitaire {
 namespace {
 
-using Conditions = ConditionSolver::Conditions;
 using Outcome = ConditionSolver::Outcome;
 
 /// The largest number that a graph knows, or its negative.
@@ -20,26 +19,6 @@ std::int64_t largest_constant(const Graph& graph) {
     if (node.op == Op::kConstInt) largest = std::max(largest, std::abs(node.interval.lo));
   }
   return largest;
-}
-
-/// Leaves members out for as long as the rest cannot hold together; the fixed ones stay. False if some may be
-/// left that could be left out.
-bool minimize(ConditionSolver& solver, Conditions& members, const Conditions& fixed) {
-  bool minimal = true;
-  const std::vector<Condition> candidates(members.rbegin(), members.rend());
-  for (const Condition& candidate : candidates) {
-    if (members.count(candidate) == 0 || fixed.count(candidate) != 0) continue;
-    Conditions rest = members;
-    rest.erase(candidate);
-    const Outcome outcome = solver.find(rest);
-    if (outcome == Outcome::kNone) {
-      members = solver.core();
-      members.insert(fixed.begin(), fixed.end());
-    } else if (outcome != Outcome::kFound) {
-      minimal = false;
-    }
-  }
-  return minimal;
 }
 
 /// Says why there is no further conflict when the question whether what is not explained yet can hold
@@ -58,12 +37,25 @@ Explainer::Explainer(const Program& program, ParamValues params, const TracingOp
       pins_(options.pins, addresses_),
       solver_(program, params_, options, choices_, addresses_, pins_) {}
 
+/// Conflicts are looked for among conditions that are in none so far. The ends of ranges come last, so that
+/// two can share one; then they are not independent, and the later one is passed over.
 std::optional<Conflict> Explainer::next_conflict() {
+  while (std::optional<Conflict> conflict = another_conflict()) {
+    const auto is_shown = [this](const Condition& each) { return shown_.count(each) != 0; };
+    if (std::any_of(conflict->members.begin(), conflict->members.end(), is_shown)) continue;
+    shown_.insert(conflict->members.begin(), conflict->members.end());
+    return conflict;
+  }
+  return std::nullopt;
+}
+
+std::optional<Conflict> Explainer::another_conflict() {
   if (ending_ != Ending::kNone) return std::nullopt;
   const auto unexplained = [this](const Condition& each) { return explained_.count(each) == 0; };
   ending_ = ending_after(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kMistakes));
   if (ending_ != Ending::kNone) return std::nullopt;
   Conditions members = solver_.core();
+  tell(members);
   const bool minimal = minimize(solver_, members, {});
   explained_.insert(members.begin(), members.end());
   try {
@@ -71,6 +63,31 @@ std::optional<Conflict> Explainer::next_conflict() {
   } catch (const Interrupted&) {
     return Conflict{{members.begin(), members.end()}, false};
   }
+}
+
+void Explainer::tell(const Conditions& members) const {
+  if (told_) told_({{members.begin(), members.end()}, false});
+}
+
+/// Leaves members out for as long as the rest cannot hold together; the fixed ones stay. False if some may be
+/// left that could be left out.
+bool Explainer::minimize(ConditionSolver& solver, Conditions& members, const Conditions& fixed) const {
+  bool minimal = true;
+  const std::vector<Condition> candidates(members.rbegin(), members.rend());
+  for (const Condition& candidate : candidates) {
+    if (members.count(candidate) == 0 || fixed.count(candidate) != 0) continue;
+    Conditions rest = members;
+    rest.erase(candidate);
+    const Outcome outcome = solver.find(rest);
+    if (outcome == Outcome::kNone) {
+      members = solver.core();
+      members.insert(fixed.begin(), fixed.end());
+      tell(members);
+    } else if (outcome != Outcome::kFound) {
+      minimal = false;
+    }
+  }
+  return minimal;
 }
 
 /// Where the choices lie within their ranges, intervals decide much that depends on them, and nothing tells
@@ -114,6 +131,7 @@ Conflict Explainer::complete(Conditions members, bool minimal) {
   if (outcome != Outcome::kNone) return conflict;
   Conditions with_ends = wide.core();
   with_ends.insert(members.begin(), members.end());
+  tell(with_ends);
   conflict.minimal = minimize(wide, with_ends, members) && minimal;
   conflict.members.assign(with_ends.begin(), with_ends.end());
   return conflict;

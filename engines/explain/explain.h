@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "engines/solve/condition_solver.h"
 
 namespace solitaire {
@@ -18,6 +20,9 @@ class Explainer {
   /// A conflict none of whose conditions is in one that was found before; nothing if there is no further one,
   /// or if the work ended early: then ending() says so.
   std::optional<Conflict> next_conflict();
+  /// `told` is called with each conflict that is known on the way to the next one: it gets smaller, and may
+  /// have members that are not needed.
+  void on_smaller(std::function<void(const Conflict&)> told) { told_ = std::move(told); }
   /// kExhausted: all independent conflicts were found.
   Ending ending() const { return ending_; }
   const AddressTable& addresses() const { return addresses_; }
@@ -31,7 +36,10 @@ class Explainer {
     std::int64_t reach;
   };
 
+  std::optional<Conflict> another_conflict();
+  bool minimize(ConditionSolver& solver, Conditions& members, const Conditions& fixed) const;
   Conflict complete(Conditions members, bool minimal);
+  void tell(const Conditions& members) const;
   std::optional<Freedom> choices_below(const Conditions& members);
 
   const Program& program_;
@@ -41,7 +49,9 @@ class Explainer {
   Pins pins_;
   OpenChoices choices_;
   ConditionSolver solver_;
-  Conditions explained_;  // members of the conflicts so far
+  Conditions explained_;  // members of the conflicts so far, but for ends of ranges
+  Conditions shown_;      // members of the conflicts that were returned
+  std::function<void(const Conflict&)> told_;
   Ending ending_ = Ending::kNone;
 };
 

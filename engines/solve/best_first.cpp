@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "base/diagnostic.h"
+#include "engines/solve/nearness.h"
 #include "engines/solve/objective.h"
+#include "engines/tuning.h"
 
 namespace solitaire {
 namespace {
@@ -18,24 +20,41 @@ NodeId checked_objective(Graph& graph, const Trace& trace, bool relax) {
   }
 }
 
+/// A program whose asserts cannot be measured is left with near misses as they come.
+NodeId checked_miss(Graph& graph, const Trace& trace) {
+  try {
+    return miss_of(graph, trace);
+  } catch (const IntegerTooLarge&) {
+    return graph.constant(std::int64_t{0});
+  }
+}
+
 }  // namespace
 
 BestFirst::BestFirst(ExecutionSolver& solver, const TracingOptions& options, StopSignal& stop)
     : solver_(solver), relax_(options.relax), improvement_time_(options.improvement_time), stop_(stop) {}
 
-void BestFirst::meet_pass() { objective_ = checked_objective(solver_.graph(), solver_.trace(), relax_); }
+void BestFirst::meet_pass() {
+  objective_ = checked_objective(solver_.graph(), solver_.trace(), relax_);
+  if (relax_) miss_ = checked_miss(solver_.graph(), solver_.trace());
+}
 
-NodeId BestFirst::at_most(std::int64_t rank) {
+std::vector<NodeId> BestFirst::at_most(const Most& most) {
   Graph& graph = solver_.graph();
-  const NodeId objective = checked_objective(graph, solver_.trace(), relax_);
-  const NodeId good = graph.apply(Op::kLeInt, {objective, graph.constant(rank)});
-  return graph.disjunction(good, solver_.unexplored());
+  std::vector<NodeId> conditions;
+  const auto add = [&](NodeId number, std::int64_t bound) {
+    const NodeId good = graph.apply(Op::kLeInt, {number, graph.constant(bound)});
+    conditions.push_back(graph.disjunction(good, solver_.unexplored()));
+  };
+  if (most.rank) add(checked_objective(graph, solver_.trace(), relax_), *most.rank);
+  if (most.miss) add(checked_miss(graph, solver_.trace()), *most.miss);
+  return conditions;
 }
 
 Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_point start) {
   Attempt best;
-  if (last_was_best_) best = search(proved_);  // perhaps there is another one as good
-  if (!best.found && best.ending != Ending::kStopped) best = search(std::nullopt);
+  if (last_was_best_) best = search({proved_, {}});  // perhaps there is another one as good
+  if (!best.found && best.ending != Ending::kStopped) best = search({});
   if (!best.found) return best;
   if (needs_no_search()) {
     if (best.found->solution.quality) best.found->solution.quality->proved = true;
@@ -43,6 +62,7 @@ Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_poin
   }
   limit_time(start);
   improve(*best.found, search, told);
+  bring_near(*best.found, search);
   stop_.set_deadline(Clock::time_point::max());
   return best;
 }
@@ -67,7 +87,7 @@ void BestFirst::improve(Candidate& best, const Search& search, const Told& told)
   while (best.rank > proved_) {
     if (told) told(best.solution);
     const std::int64_t most = target(best.rank);
-    Attempt better = search(most);
+    Attempt better = search({most, {}});
     if (better.found) {
       best = std::move(*better.found);
     } else if (better.ending == Ending::kExhausted) {
@@ -78,6 +98,25 @@ void BestFirst::improve(Candidate& best, const Search& search, const Told& told)
   }
   last_was_best_ = best.rank <= proved_;
   best.solution.quality->proved = last_was_best_;
+}
+
+/// Makes a near miss one that breaks fewer conjuncts and comes nearer in comparisons, by bisection. A
+/// question that takes long is given up: how near is near enough is nothing to prove.
+void BestFirst::bring_near(Candidate& best, const Search& search) {
+  if (!relax_ || best.miss == 0) return;
+  const bool proved = best.solution.quality->proved;
+  solver_.limit_effort(tuning::kEffortForNearness);
+  for (std::int64_t impossible = -1; best.miss - impossible > 1 && !stop_.stopped();) {
+    const std::int64_t most = impossible + (best.miss - impossible) / 2;
+    Attempt nearer = search({best.rank, most});
+    if (nearer.found) {
+      best = std::move(*nearer.found);
+    } else {
+      impossible = most;
+    }
+  }
+  solver_.limit_effort(0);
+  best.solution.quality->proved = proved;
 }
 
 /// A rank below this one: half way to what is impossible, or by strides that grow.

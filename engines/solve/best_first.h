@@ -14,6 +14,7 @@ struct Candidate {
   Solution solution;
   Valuation values;       // of its choices
   std::int64_t rank = 0;  // what the objective comes to: less is better
+  std::int64_t miss = 0;  // by how much it misses the asserts, if it does: less looks better
 };
 
 /// What a search for one solution came to.
@@ -24,11 +25,17 @@ struct Attempt {
 
 /// Finds the best solution that is left, where the program has wishes or its asserts may be broken: by
 /// bisection between the best so far and what has been proved impossible. Where solutions are all as good,
-/// the first one that is found is the best.
+/// the first one that is found is the best. A near miss is then brought as near to the asserts as a bounded
+/// effort allows.
 class BestFirst {
  public:
-  /// Looks for a solution of at most that rank, or for any.
-  using Search = std::function<Attempt(std::optional<std::int64_t> most)>;
+  /// What a solution may come to at most; without a number, to anything.
+  struct Most {
+    std::optional<std::int64_t> rank;
+    std::optional<std::int64_t> miss;  // by which it misses the asserts, of near misses
+  };
+  /// Looks for a solution within these.
+  using Search = std::function<Attempt(const Most& most)>;
   using Told = std::function<void(const Solution&)>;
   using Clock = StopSignal::Clock;
 
@@ -40,8 +47,11 @@ class BestFirst {
   void meet_pass();
   /// The rank of the solution with these values of the choices' variables.
   std::int64_t rank(Assignment& assignment) const { return assignment.value(objective_)->i; }
-  /// Returns the condition that a solution has at most that rank, for the newest pass. Throws as meet_pass().
-  NodeId at_most(std::int64_t rank);
+  /// As of a solution that is no near miss: 0.
+  std::int64_t miss(Assignment& assignment) const { return relax_ ? assignment.value(miss_)->i : 0; }
+  /// Returns the conditions that a solution comes to at most this, for the newest pass. Throws as
+  /// meet_pass().
+  std::vector<NodeId> at_most(const Most& most);
 
   /// Returns the best solution, by searches in a row; `told` is told of each one that is better than those
   /// before. Where a limit comes meanwhile, or TracingOptions::improvement_time is over since `start`, the
@@ -50,6 +60,7 @@ class BestFirst {
 
  private:
   void improve(Candidate& best, const Search& search, const Told& told);
+  void bring_near(Candidate& best, const Search& search);
   std::int64_t target(std::int64_t rank);
   bool needs_no_search() const;
   void limit_time(Clock::time_point start);
@@ -59,6 +70,7 @@ class BestFirst {
   std::optional<double> improvement_time_;
   StopSignal& stop_;
   NodeId objective_ = kFalse;
+  NodeId miss_ = kFalse;             // as of miss_of, where asserts may be broken
   std::int64_t proved_ = INT64_MIN;  // no solution that is left has a lower rank
   std::int64_t stride_ = 1;          // towards what is impossible, while it is not known where that is
   bool last_was_best_ = false;       // the last solution has the rank proved_

@@ -26,6 +26,8 @@ class ConditionSolver {
   Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr,
                Ends ends = Ends::kMistakesAndCuts);
   Outcome find(const Conditions& wanted);
+  /// Returns true if no path is left that was not explored.
+  bool is_explored() { return all(), solver_.trace().blockers.empty(); }
   /// Returns how often the newest pass met what it cannot express.
   std::size_t inexpressible();
   /// After kNone: returns those of the wanted ones that cannot hold together, and one of several that mean

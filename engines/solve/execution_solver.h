@@ -75,6 +75,9 @@ class ExecutionSolver {
   /// not near the last one. What is found depends on the index.
   void suggest_random_values(std::uint64_t index);
 
+  /// Has searches give up after so many conflicts, as if a limit had come; 0: never.
+  void limit_effort(std::uint64_t conflicts) { solver_->limit_effort(conflicts); }
+
   /// The condition that an execution leaves the paths that were explored: what the trace says of it then is
   /// not all.
   NodeId unexplored();

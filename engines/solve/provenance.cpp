@@ -68,21 +68,40 @@ void Provenance::add_wish_choices(Solution& solution) {
 }
 
 void Provenance::add_broken_choices(Solution& solution) {
+  if (solution.broken.empty()) return;
+  Assignment assignment = assignment_of(solution);
   for (BrokenAssert& broken : solution.broken) {
     std::set<std::string> choices;
     for (const Term& part : solver_.trace().hard_terms) {
       if (part.span == broken.span && solver_.addresses().text(part.address) == broken.address)
-        choices.merge(choices_below(part));
+        choices.merge(choices_below(part, assignment));
     }
     broken.choices.assign(choices.begin(), choices.end());
   }
 }
 
-/// Returns the addresses of the choices that an assert depends on.
-std::set<std::string> Provenance::choices_below(const Term& part) {
+/// The values of the choices that the solution meets; of others, which play no part in it, any.
+Assignment Provenance::assignment_of(const Solution& solution) {
+  std::unordered_map<std::string, Scalar> values;
+  for (const ChosenValue& choice : solution.choices) values.emplace(choice.address, choice.value.scalar());
+  std::vector<Scalar> by_variable;
+  for (const auto& variable : solver_.graph().variables()) {
+    const auto known = values.find(solver_.addresses().text(variable.address));
+    by_variable.push_back(known != values.end() ? known->second : Scalar::of(variable.domain.lo));
+  }
+  return Assignment(solver_.graph(),
+                    [by_variable](std::size_t variable) { return by_variable.at(variable); });
+}
+
+/// Returns the addresses of the choices that the broken conjuncts of an assert depend on; if that cannot be
+/// seen, those of all of it.
+std::set<std::string> Provenance::choices_below(const Term& part, Assignment& assignment) {
   AddressTable& addresses = solver_.addresses();
+  std::vector<NodeId> broken = conjuncts(solver_.graph(), {part.node});
+  std::erase_if(broken, [&](NodeId conjunct) { return assignment.holds(conjunct); });
+  if (broken.empty()) broken.push_back(part.node);
   std::set<std::string> below;
-  for (const std::size_t number : variables_below(solver_.graph(), {&part.node, 1}))
+  for (const std::size_t number : variables_below(solver_.graph(), broken))
     below.insert(addresses.text(solver_.graph().variables()[number].address));
   if (!below.empty()) return below;
   if (!wide_) wide_ = std::make_unique<WideTrace>(program_, params_, options_, pins_, addresses);

@@ -20,12 +20,14 @@ class Provenance {
   void add_object_choices(Solution& solution);
   /// Fills in UnmetWish::choices.
   void add_wish_choices(Solution& solution);
-  /// Fills in BrokenAssert::choices.
+  /// Fills in BrokenAssert::choices: those of what is broken in the condition, such as of one pair of
+  /// all_apart(things).
   void add_broken_choices(Solution& solution);
 
  private:
   class WideTrace;
-  std::set<std::string> choices_below(const Term& part);
+  Assignment assignment_of(const Solution& solution);
+  std::set<std::string> choices_below(const Term& part, Assignment& assignment);
 
   const Program& program_;
   const ParamValues& params_;

@@ -47,16 +47,16 @@ std::optional<Solution> TracingEngine::next() {
 std::optional<Solution> TracingEngine::next_searched(StopSignal::Clock::time_point start) {
   if (options_.diverse) traced_.solver().suggest_random_values(number_++);
   Attempt best =
-      best_first_.next([this](std::optional<std::int64_t> most) { return attempt(most); }, told_, start);
+      best_first_.next([this](const BestFirst::Most& most) { return attempt(most); }, told_, start);
   ending_ = best.ending;
   if (!best.found) return std::nullopt;
   remember(std::move(best.found->values));
   return std::move(best.found->solution);
 }
 
-/// Looks for a new solution of at most that rank: asks the solver until it has one that did not come before
+/// Looks for a new solution within these bounds: asks the solver until it has one that did not come before
 /// and is far enough from those that did.
-Attempt TracingEngine::attempt(std::optional<std::int64_t> most) {
+Attempt TracingEngine::attempt(const BestFirst::Most& most) {
   ExecutionSolver& solver = traced_.solver();
   while (true) {
     const ExecutionSolver::Outcome outcome = find(most);
@@ -67,7 +67,7 @@ Attempt TracingEngine::attempt(std::optional<std::int64_t> most) {
     try {
       if (distances_.too_near(met.values)) continue;
       Candidate found = candidate(assignment);
-      if (!most || found.rank <= *most || solver.exact()) return {std::move(found), Ending::kNone};
+      if (!most.rank || found.rank <= *most.rank || solver.exact()) return {std::move(found), Ending::kNone};
       return {{}, Ending::kWrapped};
     } catch (const InternalError&) {
       if (solver.exact()) throw;
@@ -77,17 +77,14 @@ Attempt TracingEngine::attempt(std::optional<std::int64_t> most) {
   }
 }
 
-ExecutionSolver::Outcome TracingEngine::find(std::optional<std::int64_t> most) {
+ExecutionSolver::Outcome TracingEngine::find(const BestFirst::Most& most) {
   ExecutionSolver& solver = traced_.solver();
   try {
     explore();
     while (true) {
       meet_pass();
       const std::size_t pass = solver.passes();
-      const ExecutionSolver::Outcome outcome = solver.find([&]() -> std::vector<NodeId> {
-        if (!most) return {};
-        return {best_first_.at_most(*most)};
-      });
+      const ExecutionSolver::Outcome outcome = solver.find([&] { return best_first_.at_most(most); });
       if (pass == solver.passes()) return outcome;
     }
   } catch (const Interrupted&) {
@@ -105,7 +102,8 @@ void TracingEngine::meet_pass() {
 Candidate TracingEngine::candidate(Assignment& assignment) {
   Execution execution = traced_.execution(assignment);
   Valuation values = values_of(execution);
-  return {traced_.solution(std::move(execution)), std::move(values), best_first_.rank(assignment)};
+  return {traced_.solution(std::move(execution)), std::move(values), best_first_.rank(assignment),
+          best_first_.miss(assignment)};
 }
 
 void TracingEngine::remember(Valuation values) {

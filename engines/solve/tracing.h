@@ -57,8 +57,8 @@ class TracingEngine : public SolutionStream,
   std::optional<Solution> next_enumerated();
   void give_up_enumeration();
   std::optional<Solution> next_searched(StopSignal::Clock::time_point start);
-  Attempt attempt(std::optional<std::int64_t> most);
-  ExecutionSolver::Outcome find(std::optional<std::int64_t> most);
+  Attempt attempt(const BestFirst::Most& most);
+  ExecutionSolver::Outcome find(const BestFirst::Most& most);
   Candidate candidate(Assignment& assignment);
   void remember(Valuation values);
   std::vector<NodeId> conditions();

@@ -29,6 +29,16 @@ std::string place_text(Span span, const SourceSet& sources) {
                      at.column);
 }
 
+/// Returns the folder of the file that a span is of, relative to the script's.
+std::string folder_text(Span span, const Program& program) {
+  const std::filesystem::path own = program.folder();
+  for (const Module& module : program.modules) {
+    if (module.source != span.source || module.path.parent_path() == own) continue;
+    return module.path.parent_path().lexically_proximate(own).string();
+  }
+  return "";
+}
+
 }  // namespace
 
 void add_texts(Placement& placement, const std::vector<CallRecord>& calls, const Program& program,
@@ -36,6 +46,7 @@ void add_texts(Placement& placement, const std::vector<CallRecord>& calls, const
   placement.address = addresses.text(placement.id);
   placement.calls = call_names(placement.call, calls, addresses);
   placement.source = place_text(placement.span, program.sources);
+  placement.folder = folder_text(placement.span, program);
 }
 
 void add_texts(Execution& execution, const Program& program, const AddressTable& addresses) {

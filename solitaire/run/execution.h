@@ -35,8 +35,9 @@ struct Placement {
   std::vector<std::pair<std::string, std::string>>
       extras;          // further named arguments: name, value as JSON text
   std::string source;  // "file.sol:12:3", the place call
+  std::string folder;  // of that file, relative to the script's; "" if it is the same
 
-  // From these, add_texts() makes `address`, `calls` and `source`.
+  // From these, add_texts() makes `address`, `calls`, `source` and `folder`.
   AddressId id;
   Span span;
   std::uint32_t call = kNoCall;  // in Execution::calls

@@ -31,8 +31,11 @@ struct Condition {
 struct Conflict {
   bool minimal = true;  // it is proved that without any one of them the others can hold
   std::vector<Condition> members;
-  std::string text;  // all of this for people
+  std::string text;   // for people: what is alike is told once, and no more than a screen
+  std::string whole;  // all of it for people, each member by itself
 };
+
+class ExplainObserver;
 
 /// Says why a program has no solution. Use it from one thread at a time.
 class SOLITAIRE_API Explainer {
@@ -46,6 +49,11 @@ class SOLITAIRE_API Explainer {
   /// the work stopped: then ending() says so.
   std::optional<Conflict> next();
   Ending ending() const;
+  /// Returns the smallest conflict that is known by now, while next() looks for a better one, and nothing
+  /// where none is. Any thread may ask.
+  std::optional<Conflict> best_so_far() const;
+  /// Has the observer told of smaller conflicts; null tells nobody.
+  void observe(ExplainObserver* observer);
 
  private:
   class State;
@@ -98,6 +106,8 @@ class SOLITAIRE_API ExplainObserver {
   virtual void begun(const std::string& work) = 0;
   virtual void solutions(bool any) = 0;
   virtual void conflict(const Conflict& conflict) = 0;
+  /// Is told that a conflict is known which may get smaller: one that conflict() is to follow.
+  virtual void smaller(const Conflict& conflict) = 0;
   virtual void asserts(const DeadAsserts& asserts) = 0;
   virtual void choice(const ReachableValues& choice) = 0;
 };

@@ -6,6 +6,7 @@
 #include <solitaire/export.h>
 #include <solitaire/search.h>
 #include <string>
+#include <vector>
 
 namespace solitaire::api {
 
@@ -40,6 +41,9 @@ class SOLITAIRE_API OutputFolder {
   void resume(Search& search);
   /// Writes a solution's files. `summary` is what the search came to with this solution.
   void add(const Solution& solution, const Summary& summary);
+  /// Returns what there is to tell of the scenes written so far, a line each: names without a model, and what
+  /// models have that is not shown.
+  std::vector<std::string> notes() const;
   /// Writes the page and the run's file. Without an ending, an error ended the run. `reason` says why it
   /// stopped, where it did. Returns the page, or nothing where there are no solutions to show.
   std::optional<std::filesystem::path> close(std::optional<Ending> ending,

@@ -60,6 +60,7 @@ struct Placement {
   std::vector<Choice> choices;                 // that decide what it is and where it stands
   std::vector<std::pair<std::string, std::string>> extras;  // further named arguments: name, value as JSON
   std::string source;                                       // the call in the text: "file.sol:12:3"
+  std::string folder;  // of that file, relative to the script's; "" if it is the same
 };
 
 /// An assert that a near miss breaks.
@@ -87,6 +88,7 @@ struct Quality {
   std::size_t wishes = 0;    // that the solution met
   std::int64_t cost = 0;     // of these wishes
   bool proved_best = false;  // it is proved that no better solution was left
+  bool is_maximum = false;   // all that is wished for is one maximum, the negative of the cost
 };
 
 /// An execution of a program in which every assert holds, unless they may be broken.
@@ -109,7 +111,8 @@ SOLITAIRE_API std::string to_json(const Solution& solution);
 SOLITAIRE_API std::string to_text(const Solution& solution);
 /// Returns the answer to a choice as the language writes it.
 SOLITAIRE_API std::string to_text(const ChoiceValue& value);
-/// Returns how good the solution is: "cost 5, proved the best left", or "" where all are as good.
+/// Returns how good the solution is: "cost 5, proved the best left", "maximum 7, proved the best left" where
+/// all that is wished for is a maximum, or "" where all are as good.
 SOLITAIRE_API std::string quality_text(const Solution& solution);
 /// Returns an unmet wish on a line: "room.sol:3:1: prefer(near, 5) (cost 5)".
 SOLITAIRE_API std::string to_text(const UnmetWish& wish);
