@@ -96,6 +96,23 @@ TEST_CASE("cli: explain --more shows as many independent conflicts as there are"
             "there is no further conflict that is independent of these\n"));
 }
 
+TEST_CASE("cli: a pin of a choice that no execution meets plays no part") {
+  const Workplace place;
+  const std::string other =
+      place.file("other.sol", "c = flip();\nif c then x = range(0, 3) else x = 9;\nreturn x;\n");
+  const Outcome outcome = run_solitaire({"solve", other, "--pin", "c=false", "--pin", "x=1", "--json"});
+  CHECK(outcome.status == 0);
+  CHECK(json::parse(outcome.out)["value"] == 9);
+  const std::string closed = place.file(
+      "closed.sol", "c = flip();\nassert(not c);\nif c then x = range(0, 3) else x = 9;\nreturn x;\n");
+  CHECK(json::parse(run_solitaire({"solve", closed, "--pin", "x=1", "--json"}).out)["value"] == 9);
+  CHECK(has(run_solitaire({"solve", other, "--pin", "c=false", "--pin", "y=1"}).err,
+            "--pin 'y=1': no choice has such an address; the nearest are"));
+  const std::string with_param = place.file("param.sol", "param n = 3;\nx = range(0, n);\nreturn x;\n");
+  CHECK(run_solitaire({"solve", with_param, "--pin", "n=2"}).err ==
+        "error: --pin 'n=2': n is a param: set it by --set n=VALUE\n");
+}
+
 TEST_CASE("cli: conflicts that share an end of a range are not independent") {
   const Workplace place;
   const std::string script = place.file("shared.sol", "x = range(0, 5);\nassert(x > 7);\nassert(x > 8);\n");

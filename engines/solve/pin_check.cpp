@@ -1,5 +1,6 @@
 #include "engines/solve/pin_check.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,9 +16,36 @@ std::vector<const Pin*> unmatched_pins(Pins& pins, const Trace& trace) {
   return pins.unmatched(addresses);
 }
 
-UnmatchedPin error_of(const Pin& pin, const ExecutionSolver& solver, const AddressTable& addresses) {
+/// Returns the choices of a program on all paths: without pins, and where executions go on past broken
+/// asserts.
+std::vector<AddressId> all_choices(const Program& program, const ParamValues& params, TracingOptions options,
+                                   AddressTable& addresses) {
+  options.pins.clear();
+  options.diverse = false;
+  options.limits.keep_going = true;
+  Graph graph;
+  OpenChoices choices;
+  ExecutionSolver solver(program, params, options, choices, graph, addresses,
+                         [](const Term&) { return false; });
+  solver.explore_fully(tuning::kPassesForPins);
+  std::vector<AddressId> found;
+  for (const TraceChoice& choice : solver.trace().choices) found.push_back(choice.address);
+  return found;
+}
+
+std::string param_help(const Pin& pin, const Program& program) {
+  const std::vector<const ParamStmt*> params = program.params();
+  const std::string& name = pin.pattern.text();
+  if (std::ranges::find(params, name, &ParamStmt::name) == params.end()) return "";
+  return fmt::format("{} is a param: set it by --set {}=VALUE", name, name);
+}
+
+UnmatchedPin error_of(const Pin& pin, const std::vector<AddressId>& choices, const AddressTable& addresses,
+                      const Program& program) {
+  if (const std::string help = param_help(pin, program); !help.empty())
+    return UnmatchedPin(fmt::format("{}: {}", pin.source, help));
   std::vector<std::vector<std::string>> known;
-  for (const TraceChoice& choice : solver.trace().choices) known.push_back(addresses.steps(choice.address));
+  for (const AddressId choice : choices) known.push_back(addresses.steps(choice));
   const std::vector<std::string> nearest = nearest_patterns(pin.pattern, known, 3);
   if (nearest.empty()) return UnmatchedPin(fmt::format("{}: the program has no choices", pin.source));
   return UnmatchedPin(fmt::format("{}: no choice has such an address; the nearest {} {}", pin.source,
@@ -26,11 +54,14 @@ UnmatchedPin error_of(const Pin& pin, const ExecutionSolver& solver, const Addre
 
 }  // namespace
 
-void check_pins(Pins& pins, ExecutionSolver& solver) {
+void check_pins(Pins& pins, ExecutionSolver& solver, const Program& program, const ParamValues& params,
+                const TracingOptions& options) {
   if (pins.empty() || unmatched_pins(pins, solver.trace()).empty()) return;
   solver.explore_fully(tuning::kPassesForPins);
-  const std::vector<const Pin*> wrong = unmatched_pins(pins, solver.trace());
-  if (!wrong.empty()) throw error_of(*wrong.front(), solver, solver.addresses());
+  if (unmatched_pins(pins, solver.trace()).empty()) return;
+  const std::vector<AddressId> choices = all_choices(program, params, options, solver.addresses());
+  const std::vector<const Pin*> wrong = pins.unmatched(choices);
+  if (!wrong.empty()) throw error_of(*wrong.front(), choices, solver.addresses(), program);
 }
 
 }  // namespace solitaire

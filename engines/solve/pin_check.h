@@ -4,9 +4,11 @@
 
 namespace solitaire {
 
-/// Checks that every pin matches a choice of the program; one that does not is a mistake of the user's. For
-/// pins of choices on paths that are not explored yet, some more passes are run. Throws UnmatchedPin and
-/// Interrupted.
-void check_pins(Pins& pins, ExecutionSolver& solver);
+/// Checks that every pin matches a choice of the program; one that does not is a mistake of the user's. A
+/// choice that no execution meets, since another pin or an assert keeps executions from it, is one of the
+/// program: its pin plays no part. For pins of choices on paths that are not explored yet, some more passes
+/// are run. Throws UnmatchedPin and Interrupted.
+void check_pins(Pins& pins, ExecutionSolver& solver, const Program& program, const ParamValues& params,
+                const TracingOptions& options);
 
 }  // namespace solitaire

@@ -49,7 +49,7 @@ TracedProgram::TracedProgram(const Program& program, ParamValues params, const T
 
 void TracedProgram::meet_pass() {
   if (met_pass_ == solver_.passes()) return;
-  if (met_pass_ == 0) check_pins(pins_, solver_);
+  if (met_pass_ == 0) check_pins(pins_, solver_, program_, params_, for_solver(options_, stop_));
   met_pass_ = solver_.passes();
   for (const PinnedChoice& pinned : pinned_choices(graph_, trace(), pins_)) solver_.require(pinned.holds);
   for (const NodeId condition : options_.method->conditions(graph_, trace())) solver_.require(condition);
