@@ -24,6 +24,15 @@ PlacedObject object_of(Placement placement) {
   return object;
 }
 
+/// Returns an element as the language writes it; "" for what is no plain value, or long.
+std::string element_text(const Value& element) {
+  constexpr std::size_t kMost = 60;
+  const bool is_number = element.is_number() || element.has_type(Type::kBool);
+  const String* text = element.object<String>();
+  if (!is_number && (text == nullptr || text->text.size() > kMost)) return "";
+  return to_text(plain(element));
+}
+
 BrokenAssert broken_of(Rejection rejection) {
   return {rejection.span, rejection.whole, std::move(rejection.address), std::move(rejection.message), {}};
 }
@@ -35,7 +44,8 @@ Solution solution_of(Execution execution, const AddressTable& addresses) {
   solution.value = plain(execution.value);
   solution.choices.reserve(execution.choices.size());
   for (const MetChoice& choice : execution.choices)
-    solution.choices.push_back({addresses.text(choice.address), choice.domain.family, choice.value});
+    solution.choices.push_back(
+        {addresses.text(choice.address), choice.domain.family, choice.value, element_text(choice.element)});
   solution.placements.reserve(execution.placements.size());
   for (Placement& placement : execution.placements)
     solution.placements.push_back(object_of(std::move(placement)));

@@ -21,8 +21,13 @@ struct ChosenValue {
   std::string address;  // such as "wing[2]/room[0]/make_table/rot"
   Distribution::Family family = Distribution::Family::kRange;
   TypedScalar value;  // of choose(): the position in the list, from 0
+  /// Of choose(): what it chose as the language writes it, if that is short: "oven", 3. It follows from the
+  /// others, and is not known of choices that come from files.
+  std::string element = "";
 
-  friend bool operator==(const ChosenValue&, const ChosenValue&) = default;
+  friend bool operator==(const ChosenValue& a, const ChosenValue& b) {
+    return a.address == b.address && a.family == b.family && a.value == b.value;
+  }
 };
 
 /// The choices that an execution meets. They say all about it: whoever answers a program's choices with them

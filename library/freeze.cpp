@@ -79,13 +79,13 @@ Value frozen(const PlainValue& value) { return std::visit(Freezer{}, value.is); 
 Choice frozen(const ChosenValue& choice) {
   switch (choice.value.type()) {
     case Type::kBool:
-      return {choice.address, choice.value.as_int() != 0};
+      return {choice.address, choice.value.as_int() != 0, choice.element};
     case Type::kInt:
-      return {choice.address, choice.value.as_int()};
+      return {choice.address, choice.value.as_int(), choice.element};
     case Type::kFloat:
       break;
   }
-  return {choice.address, choice.value.as_float()};
+  return {choice.address, choice.value.as_float(), choice.element};
 }
 
 Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const SourceSet& sources) {

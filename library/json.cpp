@@ -49,7 +49,9 @@ Json value_json(const ChoiceValue& value) {
 }
 
 Json choice_json(const Choice& choice) {
-  return {{"at", choice.address}, {"value", value_json(choice.value)}};
+  Json json{{"at", choice.address}, {"value", value_json(choice.value)}};
+  if (!choice.element.empty()) json["element"] = Json::parse(choice.element);
+  return json;
 }
 
 Json place_json(const Place& place) {

@@ -56,7 +56,8 @@ std::string to_text(const Solution& solution) {
   text += wishes_text(solution.unmet);
   for (const BrokenAssert& broken : solution.broken) text += fmt::format("  broken: {}\n", to_text(broken));
   for (const Choice& choice : solution.choices)
-    text += fmt::format("  {} = {}\n", choice.address, to_text(choice.value));
+    text += fmt::format("  {} = {}\n", choice.address,
+                        choice.element.empty() ? to_text(choice.value) : choice.element);
   return text;
 }
 

@@ -602,6 +602,29 @@ TEST_CASE("cli: a check that had nothing to look at says so") {
       has(run_solitaire({"check", script}).err, "nothing was met that chooses, requires or places anything"));
 }
 
+TEST_CASE("cli: what choose() chose is shown, and not its position alone") {
+  const Workplace place;
+  const std::string script = place.file(
+      "kind.sol",
+      "kinds = [\"sink\", \"oven\", 3, [1, 2]];\nn = range(5, 5);\n"
+      "k = choose(kinds + [n]);\nassert(k != \"sink\");\nw = choose([\"a\", \"b\"], weights: [1, 3]);\n"
+      "assert(w == \"b\");\nreturn 0;\n");
+  for (const char* how : {"--json", "--check"}) {  // read off the trace, and from a run of the program
+    std::map<int, json> elements;
+    std::istringstream lines(run_solitaire({"solve", script, "--all", "--json", how}).out);
+    for (std::string line; std::getline(lines, line);) {
+      for (const json& choice : json::parse(line)["choices"]) {
+        if (choice["at"] == "k") elements[choice["value"]] = choice.value("element", json());
+        if (choice["at"] == "w") CHECK(choice["element"] == "b");
+      }
+    }
+    CHECK(elements == std::map<int, json>{{1, "oven"}, {2, 3}, {3, nullptr}, {4, 5}});
+  }
+  const std::string text = run_solitaire({"solve", script, "--pin", "k=1"}).out;
+  CHECK(has(text, "  k = \"oven\"\n"));
+  CHECK(has(run_solitaire({"solve", script, "--pin", "k=3"}).out, "  k = 3\n"));
+}
+
 TEST_CASE("cli: solutions say what each wish came to") {
   const Workplace place;
   const std::string best = place.file(

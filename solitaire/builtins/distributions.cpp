@@ -242,6 +242,7 @@ Value last_index(Evaluator& evaluator, const Value& list, const char* of, Span s
 }
 
 Value categorical(Evaluator& evaluator, Call call) {
+  evaluator.effects().choosing_from(Value::nil());
   const Value last = last_index(evaluator, call.arguments[0], "categorical", call.site.span);
   return decide_weighted(evaluator, call, last, call.arguments[0], "categorical");
 }
@@ -252,6 +253,7 @@ Value choose(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
   // One choice for all lengths that the list can have, so that it is the same choice whatever they are.
   const Value last = last_index(evaluator, list, "choose", span);
+  evaluator.effects().choosing_from(list);
   if (!given(weights)) {
     const Value index =
         evaluator.decide(call.site, std::int64_t{0}, last, std::int64_t{1}, {Distribution::index(1), {}});

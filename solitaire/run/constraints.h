@@ -68,6 +68,7 @@ class Constraints::Apart : public Effects {
   /// Under which condition the conjunct could not be expressed.
   NodeId unknown() const { return unknown_; }
 
+  void choosing_from(const Value& list) override { outer_.choosing_from(list); }
   void choice(const TraceChoice& choice, const Value& value) override { outer_.choice(choice, value); }
   void constraint(const Constraint& constraint, const Value& condition) override {
     if (constraint.goes_on) outer_.constraint(constraint, condition);

@@ -24,6 +24,8 @@ class Effects {
  public:
   virtual ~Effects() = default;
 
+  /// The next choice is one among the positions of that list.
+  virtual void choosing_from(const Value&) {}
   /// A choice was answered by `value`, or stays open as the node `value`.
   virtual void choice(const TraceChoice& choice, const Value& value) = 0;
   /// A condition that is not known to hold, or that is traced.

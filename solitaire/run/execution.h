@@ -66,6 +66,7 @@ struct MetChoice {
   AddressId address;
   Distribution domain;
   TypedScalar value;
+  Value element;  // of choose(list): what it chose, else Unset
 };
 
 /// The result of one run with answered choices.

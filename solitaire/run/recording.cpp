@@ -24,7 +24,12 @@ void ExecutionEffects::choice(const TraceChoice& choice, const Value& value) {
   const TypedScalar answer = choice.domain.type() == Type::kFloat
                                  ? TypedScalar::of(*value.get<double>())
                                  : choice.domain.typed(*value.get<std::int64_t>());
-  execution_.choices.push_back({choice.address, choice.domain, answer});
+  execution_.choices.push_back({choice.address, choice.domain, answer, {}});
+  if (choice.domain.family != Distribution::Family::kIndex) return;
+  const List* list = list_.as_list();
+  const auto position = static_cast<std::size_t>(answer.as_int());
+  if (list != nullptr && position < list->items.size())
+    execution_.choices.back().element = list->items[position];
 }
 
 void ExecutionEffects::constraint(const Constraint& constraint, const Value& condition) {
@@ -106,6 +111,7 @@ void TracedEffects::followed(const Value& condition, Span span) {
 void SymbolicEffects::choice(const TraceChoice& choice, const Value& value) {
   TraceChoice made = choice;
   made.variable = node_of(graph_, value);
+  if (made.domain.family == Distribution::Family::kIndex) made.list = pass_.lists.size() - 1;
   recorder_.add(std::move(made));
 }
 

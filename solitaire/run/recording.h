@@ -10,6 +10,7 @@ class ExecutionEffects : public Effects {
  public:
   explicit ExecutionEffects(Execution& execution) : execution_(execution) {}
 
+  void choosing_from(const Value& list) override { list_ = list; }
   void choice(const TraceChoice& choice, const Value& value) override;
   void constraint(const Constraint& constraint, const Value& condition) override;
   bool wish(AddressId address, Span span, const Value& cost) override;
@@ -24,6 +25,9 @@ class ExecutionEffects : public Effects {
 
  protected:
   Execution& execution_;
+
+ private:
+  Value list_;  // of the next choice, if it is one among positions
 };
 
 /// Writes down what one execution does, and beside it how that comes from its choices.
@@ -50,6 +54,7 @@ class SymbolicEffects : public Effects {
   SymbolicEffects(SymbolicPass& pass, Graph& graph, const Path& path)
       : pass_(pass), graph_(graph), path_(path) {}
 
+  void choosing_from(const Value& list) override { pass_.lists.push_back(list); }
   void choice(const TraceChoice& choice, const Value& value) override;
   void constraint(const Constraint& constraint, const Value& condition) override;
   bool wish(AddressId address, Span span, const Value& cost) override;

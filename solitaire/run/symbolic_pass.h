@@ -24,6 +24,7 @@ struct SymbolicPass {
   Trace trace;
   Value value;                                // of the program, where some path came to its end; else Unset
   std::vector<SymbolicPlacement> placements;  // as numbered by Trace::placed
+  std::vector<Value> lists;                   // that were chosen from, as numbered by Trace::choices
   std::vector<CallRecord> calls;              // on the way to placements
   double unit = 1;                            // metres in one unit of the program
   /// False if some of what an execution does shows only when it is run.

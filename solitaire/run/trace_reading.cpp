@@ -59,6 +59,22 @@ bool read_scene(const SymbolicPass& pass, Assignment& assignment, Execution& exe
   return true;
 }
 
+/// Returns the element that a list of the pass has at a position; Unset if it has none there.
+std::optional<Value> element_under(Assignment& assignment, const Value& list, std::int64_t position) {
+  if (const Union* several = list.as_union()) {
+    for (const Union::Alternative& one : several->alternatives) {
+      if (assignment.holds(one.guard)) return element_under(assignment, one.value, position);
+    }
+    return std::nullopt;
+  }
+  const List* known = list.as_list();
+  const auto number = static_cast<std::size_t>(position);
+  if (known == nullptr || number >= known->items.size()) return Value();
+  const Value& element = known->items[number];
+  if (element.as_list() != nullptr || element.object<Record>() != nullptr) return Value();  // not shown
+  return value_under(assignment, element);
+}
+
 Type type_of(const Value& scalar) {
   if (scalar.has_type(Type::kBool)) return Type::kBool;
   return scalar.has_type(Type::kInt) ? Type::kInt : Type::kFloat;
@@ -109,8 +125,12 @@ std::optional<Execution> read_execution(const Program& program, const SymbolicPa
   execution.unit = pass.unit;
   for (const TraceChoice& choice : trace.choices) {
     if (!assignment.holds(choice.guard)) continue;
-    execution.choices.push_back(
-        {choice.address, choice.domain, choice.domain.typed(assignment.value(choice.variable)->i)});
+    const std::int64_t answer = assignment.value(choice.variable)->i;
+    execution.choices.push_back({choice.address, choice.domain, choice.domain.typed(answer), {}});
+    if (choice.list >= pass.lists.size()) continue;
+    std::optional<Value> element = element_under(assignment, pass.lists[choice.list], answer);
+    if (!element) return std::nullopt;
+    execution.choices.back().element = std::move(*element);
   }
   for (const Term& term : trace.soft_terms) {
     if (term.strength != Term::Strength::kCost || !assignment.holds(term.guard)) continue;

@@ -43,6 +43,9 @@ using ChoiceValue = std::variant<bool, std::int64_t, double>;
 struct Choice {
   std::string address;  // such as "wing[2]/room[0]/make_table/turn"
   ChoiceValue value;
+  /// Of choose(list): what it chose as the language writes it, as "\"oven\"", if that is a number, a bool or
+  /// a short string; else "".
+  std::string element = "";
 };
 
 /// A thing that `place` put into the scene, in the program's own coordinates and units: x runs right, y into
