@@ -67,7 +67,7 @@ class Models {
   json file;
 };
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_CASE("scene: sparse accessors are filled in") {
   Models models;
@@ -81,10 +81,10 @@ TEST_CASE("scene: sparse accessors are filled in") {
   models.file["accessors"][0].erase("bufferView");  // what is not replaced is zero
   check_point(models.size(), {1, 9, 4.5});
   models.file["accessors"][0]["sparse"]["count"] = 2;
-  CHECK(has(models.refusal(), "reaches out of its buffer"));
+  CHECK(says(models.refusal(), "reaches out of its buffer"));
   models.file["accessors"][0]["sparse"]["count"] = 1;
   models.file["accessors"][0]["count"] = 2;
-  CHECK(has(models.refusal(), "replaces an element that it does not have"));
+  CHECK(says(models.refusal(), "replaces an element that it does not have"));
 }
 
 TEST_CASE("scene: quantized attributes become floats") {
@@ -112,7 +112,7 @@ TEST_CASE("scene: instances are placed, each in its place") {
   models.file["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] = scaled;
   check_point(models.size(), {22, 6, 1});
   models.file["accessors"][scaled]["count"] = 2;
-  CHECK(has(models.refusal(), "the attributes of its instances have different lengths"));
+  CHECK(says(models.refusal(), "the attributes of its instances have different lengths"));
 }
 
 TEST_CASE("scene: URIs name files as they are written, and decoded") {
@@ -138,7 +138,7 @@ TEST_CASE("scene: data URIs may have parameters, and are not repeated in errors"
   check_point(models.size(), {2, 3, 1});
   models.file["buffers"][0]["uri"] =
       "data:application/octet-stream;charset=utf-8," + std::string(100'000, 'A');
-  CHECK(has(models.refusal(), "its data URI is not base64: data:application"));
+  CHECK(says(models.refusal(), "its data URI is not base64: data:application"));
   CHECK(models.refusal().size() < 300);
   models.file["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAA" + std::string(100'000, 'A');
   CHECK(models.refusal() != "");
@@ -151,7 +151,7 @@ TEST_CASE("scene: a model that cannot be read says why") {
     change(models);
     return models.refusal();
   };
-  CHECK(has(refusal([](Models& m) { m.file["asset"]["version"] = "1.0"; }), "it is a file of glTF 1.0"));
+  CHECK(says(refusal([](Models& m) { m.file["asset"]["version"] = "1.0"; }), "it is a file of glTF 1.0"));
   for (const std::string extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
     CAPTURE(extension);
     const std::string why = refusal([&](Models& m) {
@@ -159,34 +159,35 @@ TEST_CASE("scene: a model that cannot be read says why") {
       m.file["accessors"][0].erase("bufferView");  // it would hold what the extension unpacks
       m.file["buffers"].push_back({{"byteLength", 40}});
     });
-    CHECK(has(why, "it needs the extension " + extension + ", which is not supported"));
+    CHECK(says(why, "it needs the extension " + extension + ", which is not supported"));
   }
-  CHECK(has(refusal([](Models& m) {
-              m.file["nodes"][0]["translation"] = {"a", 0, 0};
-            }),
-            "a translation in its nodes is no list of numbers"));
-  CHECK(has(refusal([](Models& m) {
-              m.file["nodes"][0]["translation"] = {nullptr, 0, 0};
-            }),
-            "a translation in its nodes is no list of numbers"));
-  CHECK(has(refusal([](Models& m) { m.file["bufferViews"][0]["byteOffset"] = -4; }),
-            "a byteOffset in its bufferViews is no whole number from 0"));
-  CHECK(has(refusal([](Models& m) {
-              m.file["nodes"][0]["translation"] = {1e308, 0, 0};
-            }),
-            "it reaches further than 10,000 km"));
-  CHECK(has(refusal([](Models& m) {
-              write_file(m.folder() / "a picture.png", std::string("RIFF\x10\0\0\0WEBPVP8 ", 16));
-            }),
-            "image 0 is WebP, and images have to be PNG or JPEG"));
-  CHECK(
-      has(refusal([](Models& m) { m.file["buffers"][0]["uri"] = "lost.bin"; }), "there is no file lost.bin"));
-  CHECK(has(refusal([](Models& m) {
-              fs::create_directory(m.folder() / "in");
-              m.file["buffers"][0]["uri"] = "../" + m.folder().path().filename().string() + "/in/../../x.bin";
-              write_file(m.folder().path().parent_path() / "x.bin", "outside");
-            }),
-            "lies outside of the model's folder"));
+  CHECK(says(refusal([](Models& m) {
+               m.file["nodes"][0]["translation"] = {"a", 0, 0};
+             }),
+             "a translation in its nodes is no list of numbers"));
+  CHECK(says(refusal([](Models& m) {
+               m.file["nodes"][0]["translation"] = {nullptr, 0, 0};
+             }),
+             "a translation in its nodes is no list of numbers"));
+  CHECK(says(refusal([](Models& m) { m.file["bufferViews"][0]["byteOffset"] = -4; }),
+             "a byteOffset in its bufferViews is no whole number from 0"));
+  CHECK(says(refusal([](Models& m) {
+               m.file["nodes"][0]["translation"] = {1e308, 0, 0};
+             }),
+             "it reaches further than 10,000 km"));
+  CHECK(says(refusal([](Models& m) {
+               write_file(m.folder() / "a picture.png", std::string("RIFF\x10\0\0\0WEBPVP8 ", 16));
+             }),
+             "image 0 is WebP, and images have to be PNG or JPEG"));
+  CHECK(says(refusal([](Models& m) { m.file["buffers"][0]["uri"] = "lost.bin"; }),
+             "there is no file lost.bin"));
+  CHECK(says(refusal([](Models& m) {
+               fs::create_directory(m.folder() / "in");
+               m.file["buffers"][0]["uri"] =
+                   "../" + m.folder().path().filename().string() + "/in/../../x.bin";
+               write_file(m.folder().path().parent_path() / "x.bin", "outside");
+             }),
+             "lies outside of the model's folder"));
   fs::remove(fs::temp_directory_path() / "x.bin");
 }
 
@@ -218,7 +219,7 @@ TEST_CASE("scene: a file that places a model has it beside itself, or beside the
   AssetLibrary assets(kAssets, folder.path());
   CHECK(assets.find("models/stall.glb", "shop")->name == "stall");
   CHECK(assets.find("own.glb", "shop")->name == "own");
-  CHECK(has(error_of([&] { assets.find("models/stall.glb"); }), "No such file"));
+  CHECK(says(error_of([&] { assets.find("models/stall.glb"); }), "No such file"));
 }
 
 }  // namespace
