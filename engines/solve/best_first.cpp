@@ -56,12 +56,12 @@ Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_poin
   if (last_was_best_) best = search({proved_, {}});  // perhaps there is another one as good
   if (!best.found && best.ending != Ending::kStopped) best = search({});
   if (!best.found) return best;
-  if (needs_no_search()) {
-    if (best.found->solution.quality) best.found->solution.quality->proved = true;
-    return best;
-  }
   limit_time(start);
-  improve(*best.found, search, told);
+  if (!needs_no_search()) {
+    improve(*best.found, search, told);
+  } else if (best.found->solution.quality) {
+    best.found->solution.quality->proved = true;
+  }
   bring_near(*best.found, search);
   stop_.set_deadline(Clock::time_point::max());
   return best;
