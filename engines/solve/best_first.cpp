@@ -109,7 +109,7 @@ void BestFirst::bring_near(Candidate& best, const Search& search) {
   for (std::int64_t impossible = -1; best.miss - impossible > 1 && !stop_.stopped();) {
     const std::int64_t most = impossible + (best.miss - impossible) / 2;
     Attempt nearer = search({best.rank, most});
-    if (nearer.found) {
+    if (nearer.found && nearer.found->miss <= most) {
       best = std::move(*nearer.found);
     } else {
       impossible = most;
