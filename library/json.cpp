@@ -1,7 +1,5 @@
 #include "library/json.h"
 
-#include <algorithm>
-#include <iterator>
 #include <solitaire/error.h>
 #include <solitaire/explain.h>
 
