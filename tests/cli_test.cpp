@@ -633,8 +633,7 @@ TEST_CASE("cli: solutions say what each wish came to") {
   CHECK(has(text, "cost 3, proved the best left\n  unmet: wish.sol:3:1: prefer(x > 7, 3) (cost 3)\n"));
   CHECK(!has(text, "x != 1"));
   const std::string most = place.file("most.sol", "x = range(0, 9);\nmaximize(3 * x);\nreturn x;\n");
-  CHECK(has(run_solitaire({"solve", most}).out,
-            "maximum 27, proved the best left\n"));
+  CHECK(has(run_solitaire({"solve", most}).out, "maximum 27, proved the best left\n"));
 }
 
 TEST_CASE("cli: --per-solution holds while the program is explored (slow)") {
