@@ -54,7 +54,7 @@ function groundFor(box) {
 export function lightingFor(box) {
   const group = new Group();
   const sun = sunFor(box);
-  group.add(new HemisphereLight(0xffffff, 0xd8d3cb, 1.55), sun, sun.target, groundFor(box));
+  group.add(new HemisphereLight(0xffffff, 0xd8d3cb, 1.9), sun, sun.target, groundFor(box));
   return group;
 }
 

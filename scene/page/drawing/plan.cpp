@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kLeastText = 6.5;
 constexpr double kMostText = 14;
+constexpr double kFlat = 0.05;  // metres; of what is not higher, such as a floor, nobody asks the height
 constexpr double kHeightText = 0.72;  // of the size of the name above it
 
 Area ground_of(const PlacedBox& box) {
@@ -133,6 +134,7 @@ class ObjectDrawing {
 
   /// Tells whether a second, smaller line fits into the shape.
   bool room_for_height(const Line& line) const {
+    if (object_.box.size[2] < kFlat) return false;
     const bool along_width = std::abs(std::remainder(line.degrees - object_.box.angle, 180.0)) < 1;
     const double free_depth = depth_ - 2 * mark_depth();
     const double length = along_width ? width_ : free_depth, thickness = along_width ? free_depth : width_;
