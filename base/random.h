@@ -30,9 +30,9 @@ class RandomStream {
   std::uint64_t next() { return mix(key_, counter_++); }
   /// Uniform over 0 .. bound - 1; bound is not 0.
   std::uint64_t below(std::uint64_t bound) {
-    const std::uint64_t unfair = (UINT64_MAX - bound + 1) % bound;  // 2^64 mod bound numbers too many
     std::uint64_t number = next();
-    while (number < unfair) number = next();
+    // 2^64 mod bound numbers are too many, the smallest ones; a division tells how many, where it matters.
+    while (number < bound && number < (UINT64_MAX - bound + 1) % bound) number = next();
     return number % bound;
   }
 

@@ -63,13 +63,17 @@ struct Distribution {
   bool is_finite() const { return family <= Family::kIndex; }
 
   /// How many values there are. Only for finite families.
-  std::uint64_t size() const { return static_cast<std::uint64_t>((hi - lo) / step) + 1; }
+  std::uint64_t size() const {
+    return static_cast<std::uint64_t>(step == 1 ? hi - lo : (hi - lo) / step) + 1;
+  }
   /// The value with that number, from 0. Only for finite families.
   std::int64_t value(std::uint64_t number) const { return lo + static_cast<std::int64_t>(number) * step; }
   /// From the least to the largest value. Not for floats.
   Interval interval() const { return {lo, hi - (hi - lo) % step}; }
   /// Whether the int, or the bool as 0 or 1, is one of the values. Not for floats.
-  bool contains(std::int64_t value) const { return lo <= value && value <= hi && (value - lo) % step == 0; }
+  bool contains(std::int64_t value) const {
+    return lo <= value && value <= hi && (step == 1 || (value - lo) % step == 0);
+  }
   /// Whether the value has the right type and can occur.
   bool contains(TypedScalar value) const;
   /// An int of a solver as a value of this type. Only for finite families.

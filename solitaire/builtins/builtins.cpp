@@ -207,17 +207,25 @@ Value any(Evaluator& evaluator, Call call) {
 
 // ---- lists
 
-Value length(Evaluator& evaluator, Call call) {
-  return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
+Value length_of(Evaluator& evaluator, Call call, const Value& value) {
+  return evaluator.each_alternative(value, [&](const Value& x) -> Value {
     if (const String* text = x.object<String>()) {
       evaluator.check_known(x);
       return static_cast<std::int64_t>(count_characters(text->text));
+    }
+    if (const Joined* joined = x.object<Joined>()) {
+      Value total = std::int64_t{0};
+      for (const Value& part : joined->parts)
+        total = evaluator.arithmetic(BinaryOp::kAdd, total, length_of(evaluator, call, part), call.site.span);
+      return total;
     }
     if (x.as_list() == nullptr)
       evaluator.program_error(call.site.span, fmt::format("'length' needs a list, not {}", describe(x)));
     return static_cast<std::int64_t>(x.as_list()->items.size());
   });
 }
+
+Value length(Evaluator& evaluator, Call call) { return length_of(evaluator, call, call.arguments[0]); }
 
 Value sum(Evaluator& evaluator, Call call) {
   return evaluator.with_items(call.arguments[0], "sum", argument_span(call, 0), [&](Items items) {
@@ -316,6 +324,7 @@ Value null(Evaluator& evaluator, Call call) {
 constexpr std::int64_t kMostChosenTexts = 256;
 
 Value str(Evaluator& evaluator, Call call) {
+  if (call.arguments[0].is<Joined>()) return call.arguments[0];
   return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
     if (x.object<String>() != nullptr) return x;
     evaluator.count_parts(x, call.site.span);

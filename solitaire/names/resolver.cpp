@@ -6,7 +6,7 @@
 
 #include "solitaire/builtins/builtin.h"
 #include "solitaire/names/lookup.h"
-#include "solitaire/names/plain_expression.h"
+#include "solitaire/names/plain.h"
 #include "solitaire/names/scope.h"
 
 namespace solitaire {
@@ -114,7 +114,6 @@ class Resolver {
   }
 
   bool if_statement(IfStmt& node) {
-    branch_site(node.site, "if", node.span);
     expression(*node.condition);
     bool then_returns = false;
     bool else_returns = false;
@@ -122,6 +121,8 @@ class Resolver {
       scope_->sites.exclusive([&] { return then_returns = statement(*node.then_body); },
                               [&] { return else_returns = node.else_body && statement(*node.else_body); });
     });
+    const bool plain = is_plain(*node.then_body) && (!node.else_body || is_plain(*node.else_body));
+    if (!plain) branch_site(node.site, "if", node.span);
     return then_returns && else_returns;
   }
 
@@ -292,19 +293,18 @@ class Resolver {
   }
 
   void logical(LogicalExpr& node) {
-    if (!is_plain(*node.right)) branch_site(node.site, node.is_and ? "and" : "or", node.op_span);
     expression(*node.left);
     scope_->assigned.collect(node.assigned, [&] { expression(*node.right); });
+    if (!is_plain(*node.right)) branch_site(node.site, node.is_and ? "and" : "or", node.op_span);
   }
 
   void if_expression(IfExpr& node) {
-    const bool plain = is_plain(*node.then_value) && is_plain(*node.else_value);
-    if (!plain) branch_site(node.site, "if", node.span);
     expression(*node.condition);
     scope_->assigned.collect(node.assigned, [&] {
       scope_->sites.exclusive([&] { return expression(*node.then_value), false; },
                               [&] { return expression(*node.else_value), false; });
     });
+    if (!is_plain(*node.then_value) || !is_plain(*node.else_value)) branch_site(node.site, "if", node.span);
   }
 
   void call(CallExpr& node) {

@@ -8,8 +8,8 @@ void Assignments::assignment(const AssignStmt& node) {
     const Value amount = expression(*node.values.front());
     const Span span = cover(target.span, node.values.front()->span);
     if (target.kind == ExprKind::kName)
-      return assign(target, arithmetic(*node.op, expression(target), amount, span));
-    return change(target, [&](Value& place) { place = arithmetic(*node.op, place, amount, span); });
+      return assign(target, operate(*node.op, expression(target), amount, span));
+    return change(target, [&](Value& place) { place = operate(*node.op, place, amount, span); });
   }
   if (node.targets.size() == 1) return assign(*node.targets.front(), expression(*node.values.front()));
   if (node.values.size() == 1) {

@@ -1,6 +1,17 @@
 #include "solitaire/run/control.h"
 
+#include <fmt/format.h>
+
+#include "solitaire/value/joined.h"
+
 namespace solitaire {
+namespace {
+
+/// How many strings are written out where a program looks at one that choices decide about. Each is an
+/// alternative of a union, and what the program does is done for each of them.
+constexpr std::size_t kMostStrings = 4096;
+
+}  // namespace
 
 void Control::reset(Effects& effects, std::uint32_t levels) {
   PathEnds::reset(effects, levels);
@@ -73,6 +84,17 @@ void Control::enter_side(const Site& site, BranchSide::Kind kind, Span span) {
     end_path();
   }
   path_.levels = *levels;
+}
+
+Value Control::written_out(const Value& joined) {
+  const auto strings = spelled_out(*graph_, joined, kMostStrings);
+  if (!strings) {
+    unsupported(
+        joined.object<Joined>()->span,
+        fmt::format("this text can be more than {} different ones, depending on choices", kMostStrings),
+        "look at the values that it is made of");
+  }
+  return *strings;
 }
 
 void Control::report_taken(const Site& site, bool condition) {

@@ -44,11 +44,20 @@ class Control : public PathEnds {
   template <class Then, class Else>
   Value choose_side(const Value& condition, const Site& site, Span span, std::span<const Slot> assigned,
                     Then then_value, Else else_value);
-  /// f of a value that is no union: of each alternative, merged.
+  /// f of a value that is no union: of each alternative, merged. A string of parts is written out.
   template <class Function>
   Value each_shape(const Value& value, Function f) {
+    if (value.as_union() == nullptr && !value.is<Joined>()) return f(value);
+    return each_alternative(value, [&](const Value& one) -> Value {
+      if (one.is<Joined>()) return each_alternative(written_out(one), f);
+      return f(one);
+    });
+  }
+  /// The same, where a string of parts stays one.
+  template <class Function>
+  Value each_alternative(const Value& value, Function f) {
     if (value.as_union() == nullptr) return f(value);
-    return each_alternative(value, f);
+    return each_of_union(value, f);
   }
 
  protected:
@@ -105,9 +114,10 @@ class Control : public PathEnds {
             std::span<const Slot> assigned, Value& value);
   void enter_side(const Site& site, BranchSide::Kind kind, Span span);
   std::optional<bool> open_side(const Value& condition, const Site& site, Span span);
+  Value written_out(const Value& joined);
   void report_taken(const Site& site, bool condition);
   template <class Function>
-  Value each_alternative(const Value& value, Function f);
+  Value each_of_union(const Value& value, Function f);
 };
 
 /// The variables of the running function that a part of it assigns, and the path, at a point where branches
@@ -172,7 +182,7 @@ Value Control::choose_side(const Value& condition, const Site& site, Span span,
 }
 
 template <class Function>
-Value Control::each_alternative(const Value& value, Function f) {
+Value Control::each_of_union(const Value& value, Function f) {
   const Value kept = value;  // the alternatives must outlive what f does to variables
   const Union& several = *kept.as_union();
   std::vector<NodeId> guards;

@@ -28,7 +28,7 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   if (*first > *last) reject(ConstraintKind::kNotEmpty, site.span, nullptr, address);
   Distribution domain = prior.distribution;
   domain.lo = *first;
-  domain.hi = *last - (*last - *first) % *by;
+  domain.hi = *by == 1 ? *last : *last - (*last - *first) % *by;
   domain.step = *by;
   const std::int64_t answer = answered(address, domain).as_int();
   Value variable = answer;
@@ -178,8 +178,8 @@ void Evaluator::wish(const Value& cost, const CallExpr& site) {
 }
 
 void Evaluator::check_message(const Value& message, Span span) {
-  each_shape(message, [&](const Value& one) {
-    if (one.object<String>() == nullptr) {
+  each_alternative(message, [&](const Value& one) {
+    if (one.object<String>() == nullptr && !one.is<Joined>()) {
       program_error(span, fmt::format("the message of an assert is a string, not {}", describe(one)),
                     one.has_type(Type::kBool) ? "for two conditions, write assert(a and b)" : "");
     }

@@ -16,7 +16,7 @@ Machine::Machine(const Program& program, const ParamValues& params, AddressTable
       addresses_(addresses),
       module_frames_(program.modules.size()),
       module_done_(program.modules.size()),
-      labels_(program.labels.size(), AddressTable::kNoLabel) {
+      sites_(program.labels.size()) {
   root_.has_address = true;
 }
 
@@ -65,9 +65,21 @@ std::span<const Slot> Machine::all_slots(const Function& function) {
 }
 
 AddressTable::LabelId Machine::label(const Site& site) {
-  AddressTable::LabelId& known = labels_[site.label];
+  AddressTable::LabelId& known = sites_[site.label].label;
   if (known == AddressTable::kNoLabel) known = addresses_.label(program_.labels[site.label]);
   return known;
+}
+
+/// The address of a site of the running function, without the turns of loops around it.
+AddressId Machine::site_address(const Site& site) {
+  const AddressId parent = activation_address(*current_);
+  KnownSite& known = sites_[site.label];
+  if (!known.has_address || known.parent != parent) {
+    known.address = addresses_.site(parent, label(site));
+    known.parent = parent;
+    known.has_address = true;
+  }
+  return known.address;
 }
 
 AddressId Machine::activation_address(Activation& activation) {

@@ -53,7 +53,7 @@ class Machine {
   const Program& program() const { return program_; }
   AddressTable& addresses() { return addresses_; }
   /// The address of a site of the running function, in the current turns of its loops.
-  AddressId address_of(const Site& site) { return address_of(label(site)); }
+  AddressId address_of(const Site& site) { return with_turns(site_address(site), turns()); }
   AddressId address_of(AddressTable::LabelId label) {
     return with_turns(addresses_.site(activation_address(*current_), label), turns());
   }
@@ -107,9 +107,17 @@ class Machine {
   void clear_frames();
   Ref<Frame> new_frame(const Function& function, const Ref<Frame>& outer);
 
-  std::vector<Ref<Frame>> captured_frames_;    // cleared at the end: closures in them refer back to them
-  std::vector<Slot> slots_;                    // 0, 1, 2, ...: see all_slots()
-  std::vector<AddressTable::LabelId> labels_;  // by a site's label, once it has been asked for
+  std::vector<Ref<Frame>> captured_frames_;  // cleared at the end: closures in them refer back to them
+  std::vector<Slot> slots_;                  // 0, 1, 2, ...: see all_slots()
+  /// Where a label was last met, which most often is where it is met next.
+  struct KnownSite {
+    AddressTable::LabelId label = AddressTable::kNoLabel;  // once it has been asked for
+    AddressId parent, address;                             // if `has_address`
+    bool has_address = false;
+  };
+  AddressId site_address(const Site& site);
+
+  std::vector<KnownSite> sites_;  // by their labels
   std::vector<CallRecord> calls_;
 };
 

@@ -25,7 +25,7 @@ const Frame* Operands::outer_frame(std::uint32_t level) {
 }
 
 Value Operands::read(const Value& variable, const NameExpr& node) {
-  return each_shape(variable, [&](const Value& one) {
+  return each_alternative(variable, [&](const Value& one) {
     if (one.is<Value::Unset>()) {
       program_error(node.span, fmt::format("'{}' has no value yet", node.name),
                     "a name that a function assigns is its own; assign it before it is read");

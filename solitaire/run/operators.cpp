@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "solitaire/value/joined.h"
+
 namespace solitaire {
 namespace {
 
@@ -81,13 +83,12 @@ constexpr std::uint32_t kDeepestValue = 500;
 
 // ---- binary operators
 
-Value Operators::on_ints(BinaryOp op, std::int64_t a, std::int64_t b, Span span) {
+Value Operators::on_ints(BinaryOp op, std::int64_t a, std::int64_t b) {
   const BinaryMeaning& meaning = meaning_of(op);
   const Operation& row = operation(meaning.on_ints);
   const Scalar operands[] = {Scalar::of(meaning.swapped ? b : a), Scalar::of(meaning.swapped ? a : b)};
   const auto result = row.fold(operands);
-  if (!result && b == 0) reject(ConstraintKind::kDivisor, span);  // nothing else lacks a value for 0
-  if (!result) too_large(span);
+  if (!result) return {};
   if (row.result == Type::kBool) return (result->i != 0) != meaning.negated;
   return result->i;
 }
@@ -150,6 +151,7 @@ void Operators::too_large(Span span) {
 
 Value Operators::arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
   if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_arithmetic(op, a, b, span);
+  if (op == BinaryOp::kAdd && is_text(a) && is_text(b)) return joined(a, b, span);
   if (a.as_union() == nullptr && b.as_union() == nullptr) return arithmetic_shaped(op, a, b, span);
   return each_shape(a, [&](const Value& x) {
     return each_shape(b, [&](const Value& y) { return arithmetic_shaped(op, x, y, span); });
@@ -169,12 +171,8 @@ Value Operators::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, 
     step(span, items.size());
     return make_list(std::move(items), span);
   }
-  if (op == BinaryOp::kAdd && a.object<String>() != nullptr && b.object<String>() != nullptr) {
-    std::string text = a.object<String>()->text + b.object<String>()->text;
-    step(span, text.size());
-    if (!is_known(a) || !is_known(b)) return opaque_string(span);
-    return Value::string(std::move(text));
-  }
+  if (op == BinaryOp::kAdd && a.is<String>() && b.is<String>())
+    return is_text(a) && is_text(b) ? joined(a, b, span) : opaque_string(span);
   std::string help;
   if (a.object<String>() != nullptr || b.object<String>() != nullptr)
     help = "str(x) makes a string of a value";
@@ -183,6 +181,17 @@ Value Operators::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, 
   program_error(
       span, fmt::format("'{}' does not go with {} and {}", meaning_of(op).symbol, describe(a), describe(b)),
       op == BinaryOp::kAdd ? help : "");
+}
+
+/// One text behind the other. It counts as many steps as an execution makes at most.
+Value Operators::joined(const Value& a, const Value& b, Span span) {
+  step(span, sizes(a).most + sizes(b).most);
+  Value text = concatenate(a, b, span);
+  if (nesting(text) > kDeepestValue) {
+    unsupported(span, fmt::format("this text depends on more than {} choices about its parts", kDeepestValue),
+                "make it of fewer parts that may be missing");
+  }
+  return text;
 }
 
 Value Operators::int_arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
@@ -263,10 +272,27 @@ Value Operators::compare(BinaryOp op, const Value& a, const Value& b, Span span)
 }
 
 Value Operators::equal(const Value& a, const Value& b, Span span) {
+  if ((has_parts(a) || has_parts(b)) && is_text(a) && is_text(b)) return equal_texts(a, b);
   if (a.as_union() == nullptr && b.as_union() == nullptr) return equal_shaped(a, b, span);
   return each_shape(a, [&](const Value& x) {
     return each_shape(b, [&](const Value& y) { return equal_shaped(x, y, span); });
   });
+}
+
+/// Two strings of parts are compared part by part if these have the same sizes; else one is written out.
+Value Operators::equal_texts(const Value& a, const Value& b) {
+  if (const String* known = a.object<String>()) return value_of(*graph_, says(*graph_, b, known->text));
+  if (const String* known = b.object<String>()) return value_of(*graph_, says(*graph_, a, known->text));
+  if (sizes(a).most < sizes(b).least || sizes(b).most < sizes(a).least) return false;
+  if (a.as_union() != nullptr)
+    return each_alternative(a, [&](const Value& one) { return equal_texts(one, b); });
+  if (b.as_union() != nullptr || !same_sizes(a, b))
+    return each_shape(b, [&](const Value& one) { return equal_texts(a, one); });
+  const auto& parts = a.object<Joined>()->parts;
+  const auto& others = b.object<Joined>()->parts;
+  Value all = true;
+  for (std::size_t i = 0; i < parts.size(); ++i) all = both(all, equal(parts[i], others[i]));
+  return all;
 }
 
 Value Operators::equal_shaped(const Value& a, const Value& b, Span span) {

@@ -15,7 +15,11 @@ class Operators : public Constraints {
   Value operate(BinaryOp op, const Value& a, const Value& b, Span span) {
     const std::int64_t* x = a.plain<std::int64_t>();
     const std::int64_t* y = b.plain<std::int64_t>();
-    return x != nullptr && y != nullptr ? on_ints(op, *x, *y, span) : on_values(op, a, b, span);
+    if (x != nullptr && y != nullptr) {
+      Value result = on_ints(op, *x, *y);
+      if (given(result)) return result;
+    }
+    return on_values(op, a, b, span);
   }
   Value arithmetic(BinaryOp op, const Value& a, const Value& b, Span span);
   Value negated(const Value& value, Span span);
@@ -77,7 +81,8 @@ class Operators : public Constraints {
   }
 
  private:
-  Value on_ints(BinaryOp op, std::int64_t a, std::int64_t b, Span span);
+  /// Unset where the operation has no value.
+  static Value on_ints(BinaryOp op, std::int64_t a, std::int64_t b);
   Value on_values(BinaryOp op, const Value& a, const Value& b, Span span);
   Value select_open(const Value& condition, const Value& a, const Value& b, Span span);
   Value arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, Span span);
@@ -88,6 +93,8 @@ class Operators : public Constraints {
   NodeId node_of_operation(Op op, std::span<const Value> operands, Span span);
   std::vector<Value> select_members(const Value& condition, const std::vector<Value>& a,
                                     const std::vector<Value>& b, Span span);
+  Value joined(const Value& a, const Value& b, Span span);
+  Value equal_texts(const Value& a, const Value& b);
   Value equal_shaped(const Value& a, const Value& b, Span span);
   Value equal_members(const std::vector<Value>& a, const std::vector<Value>& b, Span span);
   /// An int, constant or not, against a constant float: exactly, without making a float of the int.

@@ -32,6 +32,14 @@ std::optional<Value> scalar_under(Assignment& assignment, Symbol symbol) {
   return Value(scalar->f);
 }
 
+std::optional<Value> joined_under(Assignment& assignment, const Joined& joined) {
+  std::vector<Value> parts;
+  if (!values_under(assignment, joined.parts, parts)) return std::nullopt;
+  std::string text;
+  for (const Value& part : parts) text += part.object<String>()->text;
+  return Value::string(std::move(text));
+}
+
 std::optional<Placement> read(const SymbolicPlacement& symbolic, Assignment& assignment) {
   std::vector<Value> arguments;
   if (!values_under(assignment, symbolic.arguments, arguments)) return std::nullopt;
@@ -113,6 +121,7 @@ std::optional<Value> value_under(Assignment& assignment, const Value& value) {
     }
     return std::nullopt;
   }
+  if (const Joined* joined = value.object<Joined>()) return joined_under(assignment, *joined);
   if (const auto* text = value.object<String>(); text != nullptr && text->opaque) return std::nullopt;
   return value;
 }

@@ -9,6 +9,8 @@ bool same_shape(const Value& a, const Value& b) {
   if (a.kind() != b.kind()) return false;
   if (const List* list = a.as_list()) return list->items.size() == b.as_list()->items.size();
   if (const Record* record = a.object<Record>()) return record->type == b.object<Record>()->type;
+  if (const Joined* joined = a.object<Joined>())
+    return joined->parts.size() == b.object<Joined>()->parts.size();
   return same(a, b);  // strings, functions: what is not the same differs in shape
 }
 
@@ -31,6 +33,10 @@ Value merge_shaped(Graph& graph, NodeId condition, const Value& a, const Value& 
   if (const Record* record = a.object<Record>()) {
     return make_ref<Record>(record->type,
                             merge_members(graph, condition, record->fields, b.object<Record>()->fields));
+  }
+  if (const Joined* joined = a.object<Joined>()) {
+    return make_ref<Joined>(merge_members(graph, condition, joined->parts, b.object<Joined>()->parts),
+                            joined->span);
   }
   return value_of(graph, graph.phi(condition, node_of(graph, a), node_of(graph, b)));
 }

@@ -6,10 +6,10 @@ namespace solitaire {
 /// Returns what a variable holds where two paths join: `a` if the condition holds, else `b`.
 ///
 /// Merging goes by shape. Values that are the same stay as they are; bools, ints and floats of one type
-/// become a phi node; lists of equal length and records of one kind merge member by member; whatever differs
-/// in shape becomes a union of guarded alternatives, at most one for each shape. (After Rosette; the
-/// dissertation's Phi of abstract frame values, section 4.3.2.) So n optional list elements give n + 1
-/// alternatives, and not 2^n.
+/// become a phi node; lists of equal length, records of one kind and strings of as many parts merge member by
+/// member; whatever differs in shape becomes a union of guarded alternatives, at most one for each shape.
+/// (After Rosette; the dissertation's Phi of abstract frame values, section 4.3.2.) So n optional list
+/// elements give n + 1 alternatives, and not 2^n.
 Value merge(Graph& graph, NodeId condition, const Value& a, const Value& b);
 
 /// Returns true if merging the two makes no union. Assumes that neither is a union and that they are not the

@@ -39,6 +39,7 @@ PlainValue plain(const Value& value) {
     case Value::Kind::kClosure:
     case Value::Kind::kRecordType:
     case Value::Kind::kSymbol:
+    case Value::Kind::kJoined:
     case Value::Kind::kUnion:
       break;
   }

@@ -25,12 +25,15 @@ bool same_all(const std::vector<Value>& a, const std::vector<Value>& b) {
 }  // namespace
 
 List::List(std::vector<Value> values) : items(std::move(values)), nesting(nesting_of(items)) {}
+Joined::Joined(std::vector<Value> values, Span place)
+    : parts(std::move(values)), span(place), nesting(nesting_of(parts)) {}
 Record::Record(const RecordStmt* declaration, std::vector<Value> values)
     : type(declaration), fields(std::move(values)), nesting(nesting_of(fields)) {}
 
 std::uint32_t nesting(const Value& value) {
   if (const List* list = value.as_list()) return list->nesting;
   if (const Record* record = value.object<Record>()) return record->nesting;
+  if (const Joined* joined = value.object<Joined>()) return joined->nesting;
   if (const Union* several = value.as_union()) {
     std::uint32_t deepest = 0;
     for (const auto& alternative : several->alternatives)
@@ -47,6 +50,7 @@ bool same(const Value& a, const Value& b) {
     const String* other = b.object<String>();
     return text->text == other->text && text->opaque == other->opaque;
   }
+  if (const Joined* joined = a.object<Joined>()) return same_all(joined->parts, b.object<Joined>()->parts);
   if (const List* list = a.as_list()) return same_all(list->items, b.as_list()->items);
   if (const Record* record = a.object<Record>()) {
     return record->type == b.object<Record>()->type && same_all(record->fields, b.object<Record>()->fields);
@@ -73,7 +77,7 @@ bool is_known(const Value& value) {
     return std::all_of(list->items.begin(), list->items.end(), is_known);
   if (const Record* record = value.object<Record>())
     return std::all_of(record->fields.begin(), record->fields.end(), is_known);
-  return !value.is<Symbol>() && value.as_union() == nullptr;
+  return !value.is<Symbol>() && !value.is<Joined>() && value.as_union() == nullptr;
 }
 
 Value Value::string(std::string text) { return make_ref<String>(std::move(text)); }
@@ -109,6 +113,9 @@ void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
   if (const Record* record = value.object<Record>()) {
     for (const Value& item : record->fields) collect_nodes(item, nodes);
   }
+  if (const Joined* joined = value.object<Joined>()) {
+    for (const Value& part : joined->parts) collect_nodes(part, nodes);
+  }
   if (const Union* several = value.as_union()) {
     for (const auto& [guard, alternative] : several->alternatives) {
       nodes.push_back(guard);
@@ -127,6 +134,7 @@ std::string describe(const Value& value) {
     case Value::Kind::kNil:
       return "nil";
     case Value::Kind::kString:
+    case Value::Kind::kJoined:
       return "a string";
     case Value::Kind::kList:
       return "a list";
@@ -144,9 +152,9 @@ std::string to_text(const Value& value) {
 }
 
 std::string to_text(const Value& value, const NodeName& name) {
-  const auto joined = [&name](const std::vector<Value>& items) {
+  const auto joined = [&name](const std::vector<Value>& items, const char* between = ", ") {
     std::string text;
-    for (const Value& item : items) text += (text.empty() ? "" : ", ") + to_text(item, name);
+    for (const Value& item : items) text += (text.empty() ? "" : between) + to_text(item, name);
     return text;
   };
   switch (value.kind()) {
@@ -166,6 +174,8 @@ std::string to_text(const Value& value, const NodeName& name) {
       return fmt::format("fun {}", (*value.get<Value::BuiltinRef>())->name);
     case Value::Kind::kString:
       return json_string(value.object<String>()->text);
+    case Value::Kind::kJoined:
+      return joined(value.object<Joined>()->parts, " + ");
     case Value::Kind::kList:
       return "[" + joined(value.as_list()->items) + "]";
     case Value::Kind::kRecord: {

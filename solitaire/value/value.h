@@ -21,6 +21,7 @@ struct Symbol {
 };
 
 struct String;
+struct Joined;
 struct List;
 struct Record;
 struct Closure;
@@ -50,6 +51,7 @@ class Value {
     kSymbol,
     kBuiltin,
     kString,
+    kJoined,
     kList,
     kRecord,
     kClosure,
@@ -166,6 +168,7 @@ class Value {
   static constexpr Kind kind_of(const Symbol*) { return Kind::kSymbol; }
   static constexpr Kind kind_of(const BuiltinRef*) { return Kind::kBuiltin; }
   static constexpr Kind kind_of(const String*) { return Kind::kString; }
+  static constexpr Kind kind_of(const Joined*) { return Kind::kJoined; }
   static constexpr Kind kind_of(const List*) { return Kind::kList; }
   static constexpr Kind kind_of(const Record*) { return Kind::kRecord; }
   static constexpr Kind kind_of(const Closure*) { return Kind::kClosure; }
@@ -192,6 +195,16 @@ struct String : Counted {
   std::optional<Span> opaque;
 };
 
+/// A string that choices decide about, as the parts of which it is made, one behind the other: strings, and
+/// unions of strings and of what is Joined. At least two. What it says is only written out where somebody
+/// looks at it: see joined.h.
+struct Joined : Counted {
+  Joined(std::vector<Value> values, Span place);
+  std::vector<Value> parts;
+  Span span;              // where it was made
+  std::uint32_t nesting;  // how deep what is Joined nests in it, from 1
+};
+
 struct List : Counted {
   explicit List(std::vector<Value> values);
   std::vector<Value> items;
@@ -216,8 +229,8 @@ struct Record : Counted {
 /// Returns true if a builtin was called with that argument.
 inline bool given(const Value& argument) { return !argument.is<Value::Unset>(); }
 
-/// How deep lists and records nest in a value; 0 for plain values. Kept below a bound by the evaluator, so
-/// that walking a value cannot exhaust the stack.
+/// How deep lists, records and parts of strings nest in a value; 0 for plain values. Kept below a bound by
+/// the evaluator, so that walking a value cannot exhaust the stack.
 std::uint32_t nesting(const Value& value);
 
 /// The variables of a running or, if a closure still refers to it, finished function.
