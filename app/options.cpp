@@ -75,12 +75,15 @@ std::map<std::string, Solver> exact_engines() {
 void add_engine_option(CLI::App& command, Options& options) {
   std::map<std::string, Solver> engines = exact_engines();
   engines.emplace("thesis", Solver::kThesis);
+  engines.emplace("shred", Solver::kShred);
   command
       .add_option(
           "--engine", options.search.solver,
-          "which solver to use: cadical (auto takes it: the fastest), z3 (the reference), or thesis (16-bit "
-          "ints and random exploration, as published, to measure against)")
-      ->transform(CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis"));
+          "which solver to use: cadical (auto takes it: the fastest), z3 (the reference), thesis (16-bit "
+          "ints "
+          "and random exploration, as published, to measure against), or shred (draws executions by how "
+          "probable they are, as 'sample' does)")
+      ->transform(CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis|shred"));
   command.parse_complete_callback([&options] {
     const SearchOptions& search = options.search;
     if (search.solver == Solver::kThesis && search.exploration_name() == "demand")

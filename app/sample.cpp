@@ -37,8 +37,9 @@ ExitStatus sample_command(const Options& options, Watchdog& watchdog) {
   const SampleOptions asked = sampling(session, options);
   Progress progress(!options.quiet);
   Sampler sampler(session.program, asked);
-  const auto end_at_limit = [&] { return report_limit(options); };
-  const Watchdog::AtLimit at_limit(watchdog, end_at_limit);
+  // Chains look at the limit after each step, so the watchdog, which would lose their draws, looks at none.
+  const Watchdog::AtLimit at_limit(
+      watchdog, [&] { return report_limit(options); }, StopToken());
   const SampleSummary summary = sampler.run([&](std::uint64_t done, std::uint64_t all) {
     if (done % 64 == 0) progress.update(fmt::format("{} of {} draws", done, all));
   });

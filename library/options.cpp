@@ -35,6 +35,7 @@ Exploration exploration_of(const Options& options) {
 const SearchMethod& method_of(Solver solver) {
   switch (solver) {
     case Solver::kCadical:
+    case Solver::kShred:
       break;
     case Solver::kZ3:
       return z3_method();

@@ -30,6 +30,8 @@ const char* solver_name(Solver solver) {
       return "z3";
     case Solver::kThesis:
       return "thesis";
+    case Solver::kShred:
+      return "shred";
   }
   return "cadical";
 }

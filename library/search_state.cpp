@@ -3,6 +3,7 @@
 #include <solitaire/error.h>
 
 #include "engines/count/uniform_series.h"
+#include "engines/sample/sample_stream.h"
 #include "engines/solve/series.h"
 #include "library/endings.h"
 #include "library/engine_options.h"
@@ -33,8 +34,22 @@ SeriesOptions series_options(const Program& program, const SearchOptions& option
   return series;
 }
 
+std::unique_ptr<SolutionStream> samples_of(const Program& program, const ParamValues& params,
+                                           const SearchOptions& options) {
+  if (!options.pins.empty() || !options.pin_file.empty() || options.all || options.relax ||
+      options.sampling == Sampling::kUniform || options.min_distance > 0) {
+    throw Error(
+        Error::Kind::kUsage,
+        "--engine shred draws executions by how probable they are: it holds no choices fixed, breaks no "
+        "asserts, and there is neither an end nor a distance");
+  }
+  return std::make_unique<SampleStream>(program.state().program, params, engine_options(options).limits,
+                                        options.seed);
+}
+
 std::unique_ptr<SolutionStream> stream_of(const Program& program, const ParamValues& params,
                                           const SearchOptions& options) {
+  if (options.solver == Solver::kShred) return samples_of(program, params, options);
   const TracingOptions tracing = engine_options(options);
   const solitaire::Program& parsed = program.state().program;
   if (options.sampling == Sampling::kUniform) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engines/sample/autocovariance.h"
 #include "engines/sample/normal_quantile.h"
 
 namespace solitaire {
@@ -101,26 +102,15 @@ double split_rhat(const ChainDraws& halves, double median) {
   return std::max(plain_rhat(rank_normalized(halves)), plain_rhat(rank_normalized(folded)));
 }
 
-/// Means over all chains of the products of values that are so many draws apart.
-class Autocovariance {
- public:
-  explicit Autocovariance(const ChainDraws& chains) : chains_(chains) {
-    for (const auto& chain : chains) means_.push_back(mean_of(chain));
+/// Means over all chains.
+std::vector<double> mean_autocovariances(const ChainDraws& chains) {
+  std::vector<double> means(chains.front().size(), 0);
+  for (const auto& chain : chains) {
+    const std::vector<double> own = autocovariances(chain);
+    for (std::size_t i = 0; i < means.size(); ++i) means[i] += own[i] / static_cast<double>(chains.size());
   }
-  double at(std::size_t lag) const {
-    double sum = 0;
-    for (std::size_t c = 0; c < chains_.size(); ++c) {
-      const auto& chain = chains_[c];
-      for (std::size_t i = lag; i < chain.size(); ++i)
-        sum += (chain[i] - means_[c]) * (chain[i - lag] - means_[c]);
-    }
-    return sum / static_cast<double>(chains_.front().size() * chains_.size());
-  }
-
- private:
-  const ChainDraws& chains_;
-  std::vector<double> means_;
-};
+  return means;
+}
 
 double tail_size(const ChainDraws& halves, double low, double high) {
   const auto below = [&](double limit) {
@@ -143,12 +133,12 @@ double effective_size(const ChainDraws& chains) {
   const auto count = static_cast<double>(length * chains.size());
   const Variances found = variances(chains);
   if (!(found.total > 0)) return kUnknown;
-  const Autocovariance covariance(chains);
+  const std::vector<double> covariances = mean_autocovariances(chains);
   const auto correlation = [&](std::size_t lag) {
     if (lag == 0) return 1.0;
-    return 1 - (found.within -
-                covariance.at(lag) * static_cast<double>(length) / static_cast<double>(length - 1)) /
-                   found.total;
+    return 1 -
+           (found.within - covariances[lag] * static_cast<double>(length) / static_cast<double>(length - 1)) /
+               found.total;
   };
   double sum = 0;
   double last_pair = std::numeric_limits<double>::infinity();

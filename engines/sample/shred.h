@@ -31,6 +31,13 @@ class ShredChain : public Chain {
   MoveCounts moves() const override { return moves_.named(); }
   std::optional<Diagnostic> slowed_by() const override { return slowed_by_; }
 
+  /// The present state; its value is that of the last time that the program was run.
+  const SampledState& state() {
+    if (structure_ != nullptr) fetch_state();
+    return state_;
+  }
+  AddressTable& addresses() { return rerun_.addresses(); }
+
  private:
   void step();
   void restart();

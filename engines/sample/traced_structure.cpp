@@ -1,29 +1,11 @@
 #include "engines/sample/traced_structure.h"
 
-#include <unordered_map>
-
+#include "engines/sample/state_choices.h"
 #include "solitaire/value/merge.h"
 #include "solitaire/value/plain_copy.h"
 
 namespace solitaire {
 namespace {
-
-/// Answers as a state does.
-class StateChoices : public Choices {
- public:
-  explicit StateChoices(const SampledState& state) {
-    for (const MetChoice& choice : state.choices) values_.emplace(choice.address, choice.value);
-  }
-  std::optional<TypedScalar> answer(AddressId address, const Distribution&) override {
-    const auto found = values_.find(address);
-    if (found == values_.end()) return std::nullopt;
-    return found->second;
-  }
-  bool weighs() const override { return true; }
-
- private:
-  std::unordered_map<AddressId, TypedScalar> values_;
-};
 
 /// The nodes of the numbers in a value, in the order in which ReturnedNumbers reads them.
 void collect_numbers(Graph& graph, const Value& value, std::vector<NodeId>& nodes) {

@@ -6,7 +6,7 @@
 #include <deque>
 #include <fmt/format.h>
 
-#include "solitaire/run/evaluation.h"
+#include "solitaire/builtins/prior.h"
 #include "solitaire/value/plain_value.h"
 
 namespace solitaire {
@@ -16,42 +16,6 @@ using Call = const BuiltinCall&;
 using Items = std::span<const Value>;
 using Family = Distribution::Family;
 
-/// What a parameter can be.
-enum class Rule : std::uint8_t { kAny, kPositive, kProbability, kPositiveProbability };
-
-struct ParameterRow {
-  const char* name;
-  Rule rule;
-};
-
-/// A distribution of the language: its choice `draw`, and `record`, which makes it a value.
-struct Row {
-  const char* draw;
-  const char* record;
-  Family family;
-  std::vector<ParameterRow> parameters;
-};
-
-const std::vector<Row>& rows() {
-  using enum Rule;
-  static const std::vector<Row> table = {
-      {"flip", "Flip", Family::kFlip, {{"probability", kProbability}}},
-      {"uniform", "Uniform", Family::kUniform, {{"lo", kAny}, {"hi", kAny}}},
-      {"normal", "Normal", Family::kNormal, {{"mean", kAny}, {"sd", kPositive}}},
-      {"normal", "Normal", Family::kNormalSharp, {{"mean", kAny}, {"precision", kPositive}}},
-      {"exponential", "Exponential", Family::kExponential, {{"rate", kPositive}}},
-      {"gamma", "Gamma", Family::kGamma, {{"shape", kPositive}, {"rate", kPositive}}},
-      {"beta", "Beta", Family::kBeta, {{"a", kPositive}, {"b", kPositive}}},
-      {"poisson", "Poisson", Family::kPoisson, {{"rate", kPositive}}},
-      {"geometric", "Geometric", Family::kGeometric, {{"probability", kPositiveProbability}}},
-  };
-  return table;
-}
-
-const Row& row_of(Family family) {
-  return *std::find_if(rows().begin(), rows().end(), [=](const Row& row) { return row.family == family; });
-}
-
 struct RecordKind : RecordStmt {
   RecordKind(const char* called, const std::vector<const char*>& names) : RecordStmt(Span{}) {
     name = called;
@@ -59,14 +23,14 @@ struct RecordKind : RecordStmt {
   }
 };
 
-/// The kinds of records that distributions are: first those of rows(), in their order.
+/// The kinds of records that distributions are: first those of distribution_rows(), in their order.
 struct RecordKinds {
   std::deque<RecordKind> of_rows;
   RecordKind categorical{"Categorical", {"weights"}};
   RecordKind dirichlet{"Dirichlet", {"concentrations"}};
 
   RecordKinds() {
-    for (const Row& row : rows()) {
+    for (const DistributionRow& row : distribution_rows()) {
       std::vector<const char*> names;
       for (const ParameterRow& parameter : row.parameters) names.push_back(parameter.name);
       of_rows.emplace_back(row.record, names);
@@ -77,108 +41,6 @@ struct RecordKinds {
 const RecordKinds& record_kinds() {
   static const RecordKinds kinds;
   return kinds;
-}
-
-// ---- parameters
-
-bool keeps(Rule rule, double value) {
-  switch (rule) {
-    case Rule::kAny:
-      return true;
-    case Rule::kPositive:
-      return value > 0;
-    case Rule::kProbability:
-      return 0 <= value && value <= 1;
-    case Rule::kPositiveProbability:
-      return 0 < value && value <= 1;
-  }
-  return false;
-}
-
-const char* words(Rule rule) {
-  switch (rule) {
-    case Rule::kAny:
-      return "a number";
-    case Rule::kPositive:
-      return "a positive number";
-    case Rule::kProbability:
-      return "a number from 0 to 1";
-    case Rule::kPositiveProbability:
-      return "a number above 0, up to 1";
-  }
-  return "";
-}
-
-/// A finite number that does not depend on open choices.
-double known_number(Evaluator& evaluator, const Value& value, const char* of, Span span) {
-  if (!value.is_number() && value.as_union() == nullptr)
-    evaluator.program_error(span, fmt::format("'{}' needs numbers, not {}", of, describe(value)));
-  if (!is_known(value)) {
-    evaluator.unsupported(span, fmt::format("this parameter of '{}' depends on choices", of),
-                          "give the distribution constant parameters, or draw it by 'solitaire sample'");
-  }
-  const auto* i = value.get<std::int64_t>();
-  const double known = i != nullptr ? static_cast<double>(*i) : *value.get<double>();
-  if (!std::isfinite(known)) evaluator.program_error(span, fmt::format("'{}' needs finite numbers", of));
-  return known;
-}
-
-Distribution distribution_of(Family family, std::span<const double> numbers) {
-  switch (family) {
-    case Family::kFlip:
-      return Distribution::flip(numbers[0]);
-    case Family::kPoisson:
-    case Family::kGeometric:
-      return Distribution::of_counts(family, numbers[0]);
-    default:
-      return Distribution::of_floats(family, numbers[0], numbers.size() > 1 ? numbers[1] : 0);
-  }
-}
-
-/// Where a parameter stands: an argument of the call that draws, or else the whole call.
-Span parameter_span(const CallExpr& site, const Row& row, std::size_t number) {
-  for (std::size_t i = 0; i < site.arguments.size(); ++i) {
-    const Argument& argument = site.arguments[i];
-    if (argument.name.empty() ? i == number : argument.name == row.parameters[number].name)
-      return argument.value->span;
-  }
-  return site.span;
-}
-
-/// Where the parameters are traced, what they may be is checked of their present values alone: whoever runs
-/// on the trace runs what it shows again.
-/// `drawing` is true if the parameters are the arguments of the call.
-Prior prior_of(Evaluator& evaluator, const Row& row, Items values, const CallExpr& site, bool drawing) {
-  std::array<double, 2> numbers{};
-  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-    const auto& [name, rule] = row.parameters[i];
-    const Span span = drawing ? parameter_span(site, row, i) : site.span;
-    numbers[i] = known_number(evaluator, values[i], row.draw, span);
-    if (!keeps(rule, numbers[i])) {
-      evaluator.program_error(span, fmt::format("the {} of '{}' is {}, not {}", name, row.draw, words(rule),
-                                                float_text(numbers[i])));
-    }
-  }
-  if (row.family == Family::kUniform && numbers[0] >= numbers[1])
-    evaluator.program_error(site.span, "'uniform' needs a first number that is below the second");
-  const auto count = row.parameters.size();
-  return {distribution_of(row.family, {numbers.data(), count}),
-          {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)}};
-}
-
-/// Weights, of which one is not 0.
-Prior weighted_prior(Evaluator& evaluator, Items items, const char* of, Span span) {
-  std::vector<double> weights;
-  double sum = 0;
-  for (const Value& item : items) {
-    weights.push_back(known_number(evaluator, item, of, span));
-    if (weights.back() < 0)
-      evaluator.program_error(
-          span, fmt::format("a weight of '{}' is negative: {}", of, float_text(weights.back())));
-    sum += weights.back();
-  }
-  if (!(sum > 0)) evaluator.program_error(span, fmt::format("no weight of '{}' is above 0", of));
-  return {Distribution::weighted(std::move(weights)), {items.begin(), items.end()}};
 }
 
 // ---- draws
@@ -193,7 +55,7 @@ Value flip(Evaluator& evaluator, Call call) {
   const Value& probability = call.arguments[0];
   if (!given(probability)) return decide_flip(evaluator, call.site, {Distribution::flip(), {Value(0.5)}});
   if (is_known(probability) || evaluator.weighs()) {
-    const Prior prior = prior_of(evaluator, row_of(Family::kFlip), call.arguments, call.site, true);
+    const Prior prior = prior_of(evaluator, distribution_row(Family::kFlip), call.arguments, call.site, true);
     return decide_flip(evaluator, call.site, prior);
   }
   evaluator.effects().needs_execution();  // which looks at whether it is a probability
@@ -202,7 +64,7 @@ Value flip(Evaluator& evaluator, Call call) {
 
 template <Family kFamily>
 Value draw(Evaluator& evaluator, Call call) {
-  const Row& row = row_of(kFamily);
+  const DistributionRow& row = distribution_row(kFamily);
   return evaluator.draw(call.site, prior_of(evaluator, row, call.arguments, call.site, true), row.draw);
 }
 
@@ -221,7 +83,7 @@ std::pair<Family, std::array<Value, 2>> normal_parameters(Evaluator& evaluator, 
 
 Value normal(Evaluator& evaluator, Call call) {
   const auto [family, parameters] = normal_parameters(evaluator, call);
-  return evaluator.draw(call.site, prior_of(evaluator, row_of(family), parameters, call.site, true),
+  return evaluator.draw(call.site, prior_of(evaluator, distribution_row(family), parameters, call.site, true),
                         "normal");
 }
 
@@ -286,7 +148,7 @@ Value dirichlet(Evaluator& evaluator, Call call) {
     Value left = 1.0;
     for (std::size_t i = 0; i + 1 < items.size(); ++i) {
       const std::array<Value, 2> shapes = {items[i], sums[i + 1]};
-      const Prior prior = prior_of(evaluator, row_of(Family::kBeta), shapes, call.site, false);
+      const Prior prior = prior_of(evaluator, distribution_row(Family::kBeta), shapes, call.site, false);
       const Value share = evaluator.draw(call.site, prior, "dirichlet", static_cast<std::uint32_t>(i));
       const Value others = evaluator.arithmetic(BinaryOp::kSubtract, 1.0, share, span);
       parts.push_back(i == 0 ? share : evaluator.arithmetic(BinaryOp::kMultiply, left, share, span));
@@ -301,14 +163,17 @@ Value dirichlet(Evaluator& evaluator, Call call) {
 
 template <Family kFamily>
 Value distribution(Evaluator& evaluator, Call call) {
-  const Row& row = row_of(kFamily);
-  const RecordStmt& kind = record_kinds().of_rows[static_cast<std::size_t>(&row - rows().data())];
+  const DistributionRow& row = distribution_row(kFamily);
+  const RecordStmt& kind =
+      record_kinds().of_rows[static_cast<std::size_t>(&row - distribution_rows().data())];
   return evaluator.make_record(&kind, {call.arguments.begin(), call.arguments.end()}, call.site.span);
 }
 
 Value normal_distribution(Evaluator& evaluator, Call call) {
   const auto [family, parameters] = normal_parameters(evaluator, call);
-  const RecordStmt& kind = record_kinds().of_rows[static_cast<std::size_t>(&row_of(family) - rows().data())];
+  const RecordStmt& kind =
+      record_kinds()
+          .of_rows[static_cast<std::size_t>(&distribution_row(family) - distribution_rows().data())];
   return evaluator.make_record(&kind, {parameters[0], parameters[1]}, call.site.span);
 }
 
@@ -370,8 +235,8 @@ Value density_of_record(Evaluator& evaluator, const Record& record, const Value&
   const RecordKinds& kinds = record_kinds();
   for (std::size_t i = 0; i < kinds.of_rows.size(); ++i) {
     if (record.type == &kinds.of_rows[i])
-      return density_at(evaluator, record, prior_of(evaluator, rows()[i], record.fields, site, false), x,
-                        span);
+      return density_at(evaluator, record,
+                        prior_of(evaluator, distribution_rows()[i], record.fields, site, false), x, span);
   }
   return evaluator.with_items(record.fields[0], record.type->name.c_str(), span, [&](Items items) -> Value {
     if (record.type == &kinds.categorical)

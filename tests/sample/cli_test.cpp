@@ -136,6 +136,31 @@ TEST_CASE("command: data that cannot be read are named") {
   CHECK(complaint("data.txt", "1").find("data end in .json or .csv") != std::string::npos);
 }
 
+TEST_CASE("command: solutions and scenes are drawn by how probable they are") {
+  const Workplace place;
+  const std::string script = place.file("row.sol",
+                                        "n = poisson(3);\nobserve(Normal(n, 0.5), 2.0);\n"
+                                        "for i in 1..n: place(\"chair\", at: [i, 0]);\nreturn n;\n");
+  const Outcome solved = run_solitaire({"solve", script, "--engine", "shred", "-n", "60", "--json", "-q"});
+  CAPTURE(solved.err);
+  REQUIRE(solved.status == 0);
+  int twos = 0;
+  const auto lines = lines_of(solved.out);
+  REQUIRE(lines.size() == 60);
+  for (const std::string& line : lines) twos += nlohmann::json::parse(line)["value"] == 2 ? 1 : 0;
+  // Of 1, 2 and 3 the densities are in the proportions .149 e^-2, .224 and .224 e^-2, so that 2 has .816 of
+  // all.
+  CHECK(twos > 40);
+  CHECK(twos < 58);
+  const Outcome generated =
+      run_solitaire({"generate", script, "--engine", "shred", "-n", "2", "-q", "-o", place / "out"});
+  CAPTURE(generated.err);
+  CHECK(generated.status == 0);
+  CHECK(fs::exists(place / "out/row-0002.glb"));
+  const Outcome pinned = run_solitaire({"solve", script, "--engine", "shred", "--pin", "n=2"});
+  CHECK(pinned.status == 2);
+}
+
 TEST_CASE("command: a mistake that an execution comes to is reported") {
   const Workplace place;
   const Outcome outcome =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+#include "engines/sample/autocovariance.h"
 #include "engines/sample/normal_quantile.h"
 #include "tracegraph/drawing.h"
 
@@ -34,6 +35,19 @@ TEST_CASE("the effective size of an autoregression is the known share of its len
     CHECK(summary.ess_bulk == doctest::Approx(expected).epsilon(0.1));
     CHECK(summary.mcse == doctest::Approx(summary.sd / std::sqrt(expected)).epsilon(0.1));
     CHECK(summary.rhat < 1.01);
+  }
+}
+
+TEST_CASE("autocovariances by the transform are those of the definition") {
+  const std::vector<double> values = correlated(0.7, 37, 1)[0];
+  double mean = 0;
+  for (const double value : values) mean += value / 37;
+  const std::vector<double> found = autocovariances(values);
+  REQUIRE(found.size() == 37);
+  for (std::size_t lag = 0; lag < 37; ++lag) {
+    double sum = 0;
+    for (std::size_t i = lag; i < 37; ++i) sum += (values[i] - mean) * (values[i - lag] - mean);
+    CHECK(std::abs(found[lag] - sum / 37) < 1e-12);
   }
 }
 

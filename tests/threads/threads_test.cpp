@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <doctest/doctest.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -68,6 +69,25 @@ void check_interrupted(const std::string& script, const Arguments& more, int mil
 }
 
 }  // namespace
+
+TEST_CASE("threads: several chains side by side draw what one after the other draw") {
+  const Workplace place;
+  const std::string script = place.file("chains.sol",
+                                        "record Point(x, name);\n"
+                                        "n = range(1, 3);\nxs = [gamma(2, 1) for i in 1..n];\n"
+                                        "for x in xs: observe(Poisson(x), 3);\n"
+                                        "return n, Point(sum(xs), \"n \" + str(n));\n");
+  for (const char* engine : {"shred", "lightweight"}) {
+    const auto draws = [&](const std::string& jobs) {
+      const std::filesystem::path file = place / (engine + jobs + ".csv");
+      const Outcome outcome = run_checked({"sample", script, "-n", "200", "--warmup", "60", "--engine",
+                                           engine, "--jobs", jobs, "--draws", file, "--json"});
+      CHECK(outcome.status == 0);
+      return bytes_of(file);
+    };
+    CHECK(draws("1") == draws("4"));
+  }
+}
 
 TEST_CASE("threads: several jobs find what one job finds") {
   const Workplace place;

@@ -13,6 +13,7 @@ enum class Solver : std::uint8_t {
   kCadical,  // the fastest
   kZ3,       // the reference
   kThesis,   // 16-bit ints and random exploration, as published, to measure against
+  kShred,    // no solver: executions are drawn by how probable they are
 };
 
 /// Fixes the choices whose addresses match a pattern.

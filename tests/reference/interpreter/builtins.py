@@ -49,13 +49,24 @@ def choose_range(run, call):
     return run.choose(call.address(), range(low, high + 1, step))
 
 
+# Probabilities and weights play no part in what is possible.
+
+
 def choose_flip(run, call):
+    if "probability" in call.given and not 0 <= a_number(call, "probability") <= 1:
+        raise ProgramError(call.place_of("probability"), "a probability is a number from 0 to 1")
     return run.choose(call.address(), (False, True))
 
 
 def choose_element(run, call):
     elements = a_list(call)
+    if "weights" in call.given and len(a_list(call, "weights")) != len(elements):
+        raise ProgramError(call.place, "'choose' needs as many weights as the list has elements")
     return elements[run.choose(call.address(), range(len(elements)))]
+
+
+def choose_position(run, call):
+    return run.choose(call.address(), range(len(a_list(call, "weights"))))
 
 
 def check(run, call):
@@ -109,12 +120,20 @@ def floor(run, call):
     return within_62_bits(math.floor(number), call.place)
 
 
+def power(run, call):
+    base, exponent = float(a_number(call, "base")), float(a_number(call, "exponent"))
+    try:
+        return math.pow(base, exponent)
+    except (ValueError, OverflowError) as error:
+        raise ProgramError(call.place, f"'pow' of {base} and {exponent} has no value") from error
+
+
 def of_float(function):
     def run_function(run, call):
         number = float(a_number(call))
         try:
             return function(number)
-        except ValueError as error:
+        except (ValueError, OverflowError) as error:
             raise ProgramError(call.place, f"this function of {number} has no value") from error
 
     return run_function
@@ -236,8 +255,9 @@ BUILTINS = {
     each.name: each
     for each in [
         builtin("range", "lo hi step", choose_range, required=2),
-        builtin("flip", "", choose_flip),
-        builtin("choose", "list", choose_element),
+        builtin("flip", "probability", choose_flip, required=0),
+        builtin("choose", "list weights", choose_element, required=1),
+        builtin("categorical", "weights", choose_position),
         builtin("assert", "condition message", check, required=1),
         builtin("prefer", "condition weight", prefer, required=1),
         builtin("minimize", "x", minimize),
@@ -250,6 +270,10 @@ BUILTINS = {
         builtin("sqrt", "x", of_float(math.sqrt)),
         builtin("sin", "x", of_float(math.sin)),
         builtin("cos", "x", of_float(math.cos)),
+        builtin("exp", "x", of_float(math.exp)),
+        builtin("log", "x", of_float(math.log)),
+        builtin("lgamma", "x", of_float(math.lgamma)),
+        builtin("pow", "base exponent", power),
         builtin("cond", "condition then otherwise", select),
         builtin("all", "conditions", quantifier(all), required=0, variadic=True),
         builtin("any", "conditions", quantifier(any), required=0, variadic=True),

@@ -12,7 +12,7 @@ from .syntax import (
     If, Index, ListDisplay, Name, Param, RecordDeclaration, Return, Unary, While,
 )  # fmt: skip
 
-CHOICES = ("range", "flip", "choose")
+CHOICES = ("range", "flip", "choose", "categorical")
 
 
 class Labeller:
