@@ -95,8 +95,8 @@ constexpr std::uint64_t kMostValuesCompared = 64;
 constexpr std::size_t kMostTraces = 256;
 /// A trace's density and that of the execution agree to so much of their size: sums differ in their order.
 constexpr double kDensityTolerance = 1e-9;
-/// Of a chain that makes scenes: sweeps before the first, and from one to the next. Judgement: nobody looks at
-/// how much neighbours depend on each other as closely as at means.
+/// Of a chain that makes scenes: sweeps before the first, and from one to the next. Judgement: nobody looks
+/// at how much neighbours depend on each other as closely as at means.
 constexpr std::uint64_t kSceneWarmup = 1000;
 constexpr std::uint64_t kSceneSweeps = 50;
 /// Above this split R-hat chains do not agree, and below this effective size quantiles are not to be trusted
