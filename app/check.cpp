@@ -23,7 +23,7 @@ std::string summary(const Checked& checked) {
 
 }  // namespace
 
-/// Looks for mistakes without looking for solutions.
+/// Looks for errors without looking for solutions.
 ExitStatus check_command(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   const auto end_at_limit = [&] {

@@ -103,7 +103,7 @@ constexpr Subcommand kSubcommands[] = {
     {"tiles", "make maps of tiles that look like small exemplars", tiles_command, add_tiles_options},
 };
 
-/// Gives out what the command line's reader has to say: help to standard output, mistakes to standard error.
+/// Prints what the command line's reader reports: help to standard output, errors to standard error.
 ExitStatus answer(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream result, complaint;
   const bool helped = app.exit(error, result, complaint) == 0;

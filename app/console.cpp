@@ -25,7 +25,8 @@ class Stream {
  public:
   explicit Stream(int descriptor) : descriptor_(descriptor) {}
 
-  /// 0, or what went wrong; ECANCELED: nobody reads and the run was stopped.
+  /// Writes the text. Returns 0 or an error number, which is ECANCELED if nobody reads and the run was
+  /// stopped.
   int write(std::string_view text) {
     while (!text.empty()) {
       if (!wait_until_ready()) return ECANCELED;

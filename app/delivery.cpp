@@ -12,8 +12,8 @@
 namespace solitaire::app {
 namespace {
 
-/// After a search that found nothing, a reason is looked for so many seconds: a share of what the search
-/// took, and no less than this.
+/// After a search that found nothing, a reason is looked for so many seconds: a share of the time that the
+/// search took, and at least this.
 constexpr double kTimeForReason = 3;
 constexpr double kShareForReason = 0.5;
 

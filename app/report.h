@@ -18,7 +18,7 @@ std::string limit_text(const Options& options, StopReason reason = stop_source()
 /// Says that, where nothing more can be said.
 ExitStatus report_limit(const Options& options, StopReason reason = stop_source().reason());
 
-/// Shows mistakes of a program on standard error.
+/// Shows errors of a program on standard error.
 ExitStatus report(const std::vector<Diagnostic>& errors);
 /// Reports the exception that is being handled: this is called in a catch block.
 ExitStatus report_exception(const Options& options);

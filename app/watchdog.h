@@ -33,11 +33,11 @@ class Watchdog {
   /// The run is over, from whatever thread this comes.
   void end();
 
-  /// To be held while something is delivered, which should be short: an end that is due waits for it, though
-  /// not for long. Once that end has begun, this never returns.
+  /// Returns a lock that has to be held while something is delivered. This should be short: an end that is
+  /// due waits for it, though not for long. Once that end has begun, this function never returns.
   [[nodiscard]] Lock delivering() { return Lock(mutex_); }
-  /// Nothing is left to deliver or to say: from now on a limit ends the process with this status. To be
-  /// called while delivering.
+  /// Says that nothing is left to deliver or to say: from now on a limit ends the process with this status.
+  /// To be called while delivering.
   ExitStatus conclude(ExitStatus status);
 
   /// As long as this lives, the watchdog ends the run by `finish`, on its own thread, when the token says so.

@@ -25,7 +25,7 @@ struct Diagnostic {
   Span span;
   std::string message;             // what is wrong
   std::string help;                // what to do about it, or ""
-  std::vector<std::string> notes;  // such as the calls that led here
+  std::vector<std::string> notes;  // for example the calls that led here
   Severity severity = Severity::kError;
   /// Names the kind of the diagnostic for tools, such as "unknown-name"; it stays the same when messages are
   /// reworded. Empty for what is found while the program runs.

@@ -34,7 +34,7 @@ std::size_t most_bytes() {
 
 LargeStackThread::LargeStackThread(std::function<void()> work) : work_(std::move(work)) {
   constexpr std::size_t kMiB = std::size_t{1} << 20;
-  // Only what is used of it takes memory; where address space is limited, less has to do.
+  // Only the part that is used takes memory. Where address space is limited, a smaller stack has to suffice.
   for (const std::size_t size : {1024 * kMiB, 256 * kMiB, 64 * kMiB}) {
     if (size <= most_bytes() && start(thread_, work_, size)) return;
   }

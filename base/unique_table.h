@@ -34,7 +34,7 @@ class UniqueTable {
 
   struct Slot {
     std::uint32_t next_number = 0;  // one more than the number; 0: free
-    std::uint32_t mark = 0;         // of the hash
+    std::uint32_t mark = 0;         // some bits of the hash
   };
 
   void grow() {

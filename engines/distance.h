@@ -37,8 +37,8 @@ Overlap overlap_of(const std::map<Name, Value>& a, const std::map<Name, Value>& 
   return overlap;
 }
 
-/// What solutions are compared by: names and values, as text, since solutions come from engines with address
-/// tables of their own.
+/// The names and values by which solutions are compared. They are text, since solutions come from engines
+/// with address tables of their own.
 using Features = std::map<std::string, std::string>;
 
 /// Returns the addresses of the choices that the solution meets, and their values.
@@ -59,17 +59,17 @@ Features result_features(const Solution& solution);
 class MeanDistance {
  public:
   void add(const Features& features);
-  /// 0 for fewer than two.
+  /// Returns the mean distance, which is 0 for fewer than two.
   double value() const { return pairs_.distance(); }
 
  private:
   std::uint64_t count_ = 0;
-  std::uint64_t names_ = 0;  // of all together
+  std::uint64_t names_ = 0;  // the number of names of all sets together
   Overlap pairs_;            // summed over them
   std::unordered_map<std::uint64_t, std::uint64_t> with_name_, with_value_;
 };
 
-/// How much the solutions of a batch differ.
+/// Computes how much the solutions of a batch differ.
 class Diversity {
  public:
   void add(const Solution& solution) {

@@ -15,7 +15,8 @@ class NotASolution : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A pin matches none of the program's choices; the message names those nearest.
+/// A pin matches none of the program's choices, and the message names those nearest; or it gives a choice a
+/// value of another type.
 class UnmatchedPin : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

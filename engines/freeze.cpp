@@ -7,23 +7,6 @@
 namespace solitaire {
 namespace {
 
-PlacedObject object_of(Placement placement) {
-  PlacedObject object;
-  object.asset = std::move(placement.asset);
-  object.at = placement.at;
-  object.size = std::move(placement.size);
-  object.turn = placement.turn;
-  object.angle = placement.angle;
-  object.color = placement.color;
-  object.name = std::move(placement.name);
-  object.address = std::move(placement.address);
-  object.calls = std::move(placement.calls);
-  object.extras = std::move(placement.extras);
-  object.source = std::move(placement.source);
-  object.folder = std::move(placement.folder);
-  return object;
-}
-
 /// Returns an element as the language writes it; "" for what is no plain value, or long.
 std::string element_text(const Value& element) {
   constexpr std::size_t kMost = 60;
@@ -48,7 +31,7 @@ Solution solution_of(Execution execution, const AddressTable& addresses) {
         {addresses.text(choice.address), choice.domain.family, choice.value, element_text(choice.element)});
   solution.placements.reserve(execution.placements.size());
   for (Placement& placement : execution.placements)
-    solution.placements.push_back(object_of(std::move(placement)));
+    solution.placements.push_back({static_cast<PlacedItem&&>(placement), {}});
   for (Rejection& rejection : execution.broken) solution.broken.push_back(broken_of(std::move(rejection)));
   if (execution.wishes.size() == 1) solution.only_wish = execution.wishes.front().span;
   for (WishCost& wish : execution.wishes) {

@@ -1,20 +1,20 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/span.h"
+#include "solitaire/value/placed_item.h"
 #include "solitaire/value/plain_value.h"
 #include "tracegraph/distribution.h"
 #include "tracegraph/scalar.h"
 
 namespace solitaire {
 
-// What engines hand out. All of it is plain data that shares nothing with the engine that made it or with any
-// program, so that any thread may keep it for as long as it likes, while the engine goes on.
+// The types in which engines hand out results. All of it is plain data that shares nothing with the engine
+// that made it or with any program, so that any thread may keep it for as long as it likes, while the engine
+// goes on.
 
 /// A choice of an execution, in readable form.
 struct ChosenValue {
@@ -34,23 +34,9 @@ struct ChosenValue {
 /// runs that execution.
 using ChosenValues = std::vector<ChosenValue>;
 
-/// A thing that `place` put into the scene, in the program's own coordinates and units: x runs right, y into
-/// the depth, z up.
-struct PlacedObject {
-  std::string asset;            // a bundled asset's name, a path to a .glb/.gltf, or "" for a plain box
-  std::array<double, 3> at{};   // the lowest corner of the object's box after turning
-  std::vector<double> size;     // the box before turning: none (the asset's own), [w, d] or [w, d, h]
-  int turn = 0;                 // quarter turns counter-clockwise seen from above, 0..3
-  std::optional<double> angle;  // degrees counter-clockwise instead of `turn`
-  std::optional<std::array<double, 3>> color;  // red, green, blue, each 0..1
-  std::string name;                            // as the program gave it, or ""
-  std::string address;                         // of this place call; unique within a solution
-  std::vector<std::string> calls;  // the calls that led to it, outermost first: "wing[2]", "room[0]"
-  ChosenValues choices;            // the choices that decide what it is and where it stands
-  std::vector<std::pair<std::string, std::string>>
-      extras;          // further named arguments: name, value as JSON text
-  std::string source;  // "file.sol:12:3", the place call
-  std::string folder;  // of that file, relative to the script's; "" if it is the same
+/// A thing in the scene of a solution.
+struct PlacedObject : PlacedItem {
+  ChosenValues choices;  // the choices that decide what it is and where it stands
 };
 
 /// A conjunct of an assert that a solution breaks, where solutions may.
@@ -70,13 +56,13 @@ struct UnmetWish {
   std::vector<std::string> choices;  // the addresses of the choices on which it depends, sorted
 };
 
-/// How good a solution is, where the program has wishes or its asserts may be broken. Fewer broken asserts
-/// are better, and of those with as many the one of less cost.
+/// Says how good a solution is, where the program has wishes or its asserts may be broken. Fewer broken
+/// asserts are better; among solutions with equally many, a lower cost is better.
 struct Quality {
-  std::size_t broken = 0;  // asserts
-  std::size_t wishes = 0;  // that the execution met
-  std::int64_t cost = 0;   // of all wishes together
-  bool proved = false;     // that no better one is left
+  std::size_t broken = 0;  // the number of broken asserts
+  std::size_t wishes = 0;  // the number of wishes that the execution met
+  std::int64_t cost = 0;   // the sum of the costs of all wishes
+  bool proved = false;     // it is proved that no better one is left
 };
 
 /// A result that an engine found. Of a program it is an execution in which every assert holds, unless asserts

@@ -28,7 +28,7 @@ class SolutionStream {
  public:
   virtual ~SolutionStream() = default;
   /// Returns the next solution, or nothing; then ending() says why.
-  /// Throws ProgramError for a mistake in the program, and InternalError if the engine itself is wrong.
+  /// Throws ProgramError for an error of the program, and InternalError if the engine itself is wrong.
   virtual std::optional<Solution> next() = 0;
   virtual Ending ending() const = 0;
 };
@@ -56,8 +56,8 @@ class Resumable {
 class Improving {
  public:
   virtual ~Improving() = default;
-  /// From now on `told` is told of each solution that is better than the one before, while the next one is
-  /// looked for, on the thread that called next().
+  /// Sets a function that is told, while the next solution is looked for, of each one that is better than the
+  /// one before. It is called on the thread that called next().
   virtual void on_improvement(std::function<void(const Solution&)> told) = 0;
 };
 
@@ -68,11 +68,11 @@ class Exploring {
   /// Does the work that comes before the search for the first solution, which next() does by itself else.
   /// Throws Interrupted.
   virtual void explore() = 0;
-  /// The number of nodes of the trace graph so far.
+  /// Returns the number of nodes of the trace graph so far.
   virtual std::size_t graph_size() const = 0;
 };
 
-/// What holds in solutions: every condition, a bool node of the graph.
+/// The conditions that hold in all solutions that are left, as bool nodes of a graph.
 struct Formula {
   const Graph& graph;
   const AddressTable& addresses;
@@ -100,7 +100,7 @@ class CountingAlike {
 class Timed {
  public:
   virtual ~Timed() = default;
-  /// The times of all searches so far, on whichever thread they were.
+  /// Returns the times of all searches so far, whatever thread they ran on.
   virtual EngineTimes times() const = 0;
 };
 

@@ -4,7 +4,7 @@
 
 namespace solitaire {
 
-/// Where the time of an engine went, in seconds, and how many solutions were run again.
+/// Says on what an engine spent its time, in seconds, and how many solutions were run again.
 struct EngineTimes {
   double explore = 0, encode = 0, solve = 0, replay = 0;
   std::uint64_t replays = 0;

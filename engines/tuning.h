@@ -26,6 +26,16 @@ constexpr std::uint32_t kFirstGrant = 8;
 constexpr std::uint64_t kFuelSteps = 100'000;
 constexpr std::uint32_t kFuelDepth = 200;
 constexpr std::uint32_t kFuelGrowth = 4;
+/// After so many rounds of opening what the core names, with nothing found, only those sides are opened to
+/// which some execution comes. That takes one more question for each round, and ends a search in which cores
+/// go on naming sides that nothing reaches: of a recursion on p % range(0, 4), all 49 solutions came, and
+/// never the proof that there are no others. Judgement.
+constexpr std::uint64_t kRoundsBeforeDoubt = 2;
+/// The search for rooms that are over-full looks at so many things in windows at most for each group of
+/// things, and at no longer windows, so that areas stay within 62 bits. Judgement: that takes some
+/// milliseconds.
+constexpr std::size_t kMostWindowWork = 1'000'000;
+constexpr std::int64_t kLongestWindow = 1'000'000'000;
 /// Passes after which a program counts as one with endlessly many paths. Judgement.
 constexpr std::size_t kMostPasses = 200;
 /// Passes that look for choices which a pin names before the pin counts as wrong. Judgement.
@@ -54,15 +64,16 @@ constexpr std::size_t kMostNodesForSymmetry = 20'000'000;
 
 // Explanations (engines/explain/, engines/solve/provenance.h, wide_choices.h).
 
-/// How far choices may lie outside of their ranges where it is looked for what depends on them: by this many
-/// times what they span, at least by kLeastReach, and at most by kMostReach, since products of what lies
-/// further out would grow past 62 bits. Judgement, as kProvenanceReach, which is past most lengths that a
-/// layout compares with.
+/// The search for what depends on choices lets them lie outside of their ranges: by this many times the span
+/// of the range, at least by kLeastReach, and at most by kMostReach, since products of larger values would
+/// grow past 62 bits. Judgement, like kProvenanceReach, which is more than most lengths that a layout
+/// compares with.
 constexpr std::int64_t kReachInSpans = 4;
 constexpr std::int64_t kLeastReach = 64;
 constexpr std::int64_t kMostReach = std::int64_t{1} << 28;
 constexpr std::int64_t kProvenanceReach = 4096;
-/// Of a choice with more values only the ends are looked for. Judgement: each value costs a question.
+/// Only the least and the greatest value are looked for of a choice with more values. Judgement: each value
+/// costs a question.
 constexpr std::uint64_t kMostValuesListed = 256;
 /// Different solutions that are looked at before single values are asked for: they show most values that
 /// occur. Judgement.
@@ -74,7 +85,8 @@ constexpr std::uint64_t kSamplesOfValues = 16;
 /// Judgement: listing as many takes seconds at the most (docs/engine.md, "Sampling and counting").
 constexpr std::uint64_t kMostListedToCount = 20'000;
 constexpr std::uint64_t kMostListedToSample = 10'000;
-/// What is listed anyway, even for an estimate, which needs that there are more than a few.
+/// Up to so many models are listed, even where an estimate is asked for, because an estimate needs more than
+/// a few.
 constexpr std::uint64_t kFewModels = 64;
 /// Models that a trial cell has at most on the average. The bound of xor_sampler.h holds for any number below
 /// kMostInCell; a larger one makes trials longer, and a smaller one makes more of them necessary. Judgement.

@@ -36,7 +36,7 @@ std::string to_text(const Count& count) {
 }
 
 std::string to_json(const Count& count) {
-  // By hand, as the number can have more digits than any number type of a JSON library.
+  // This is written without the JSON library, as the number can have more digits than its number types.
   switch (count.kind) {
     case Count::Kind::kExact:
       return fmt::format("{{\"solutions\":{},\"exact\":true}}", count.digits);

@@ -5,7 +5,7 @@
 
 namespace solitaire::api {
 
-// What engines are to do, as the options say. Both throw Error: kUsage, and kFile for a pin file.
+// Translate the public options to those of engines. Both throw Error: kUsage, and kFile for a pin file.
 
 TracingOptions engine_options(const Options& options);
 TracingOptions engine_options(const SearchOptions& options);

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "library/freeze.h"
+
 namespace solitaire::api {
 namespace {
 
@@ -111,9 +113,10 @@ std::vector<std::int64_t> missing_values(const solitaire::ReachableValues& choic
 std::string words_of(const solitaire::Condition& condition, const ExplanationContext& context) {
   const std::string choice = context.addresses.text(condition.address);
   if (condition.pin != nullptr) {
-    return fmt::format("{} is {}{}, by {}", choice, condition.pin->forbidden ? "not " : "",
-                       value_text(condition.pin->value, condition.domain->type() == Type::kBool),
-                       condition.pin->source);
+    return fmt::format(
+        "{} is {}{}, by {}", choice, condition.pin->forbidden ? "not " : "",
+        to_text(converted(condition.pin->value, condition.domain->type()).value_or(condition.pin->value)),
+        condition.pin->source);
   }
   switch (condition.requirement) {
     case ConstraintKind::kAssert:
@@ -133,6 +136,21 @@ std::string words_of(const solitaire::Condition& condition, const ExplanationCon
 }
 
 namespace {
+
+/// Returns "17 things that do not overlap need an area of 68, and lie within one of 64", or "" where that is
+/// not the reason.
+std::string reason_of(const solitaire::Conflict& conflict) {
+  if (!conflict.room) return "";
+  const OverFull& room = *conflict.room;
+  if (room.is_area) {
+    return fmt::format("{} things that do not overlap need an area of {}, and lie within one of {}",
+                       room.things, room.needed, room.available);
+  }
+  if (room.needed == static_cast<std::int64_t>(room.things))
+    return fmt::format("{} ints that all differ lie among {} values", room.things, room.available);
+  return fmt::format("{} things that do not overlap need a length of {}, and lie within one of {}",
+                     room.things, room.needed, room.available);
+}
 
 /// Members that are told as one: both ends of a range, or what one place of the text asks of many calls and
 /// turns.
@@ -219,6 +237,8 @@ std::string conflict_text(const solitaire::Conflict& conflict, const Explanation
   for (const Told& one : told) text += told_text(one, context);
   if (told.size() < places)
     text += fmt::format("and {} others; explain --full shows them all\n", places - told.size());
+  if (const std::string reason = reason_of(conflict); !reason.empty())
+    text += fmt::format("the reason: {}\n", reason);
   if (!conflict.minimal) text += "it was not found out whether all of them are needed, nor which ranges\n";
   return text;
 }
@@ -265,15 +285,18 @@ Condition frozen_condition(const solitaire::Condition& condition, const Explanat
                  condition.message,
                  {}};
   if (const solitaire::Pin* pin = condition.pin)
-    made.pin = Pin{pin->pattern.text(), pin->value, pin->forbidden, pin->source};
+    made.pin = Pin{pin->pattern.text(), api::frozen(pin->value), pin->forbidden, pin->source};
   return made;
 }
 
 }  // namespace
 
 Conflict frozen(const solitaire::Conflict& conflict, const ExplanationContext& context) {
-  Conflict made{
-      conflict.minimal, {}, conflict_text(conflict, context, false), conflict_text(conflict, context, true)};
+  Conflict made{conflict.minimal,
+                {},
+                reason_of(conflict),
+                conflict_text(conflict, context, false),
+                conflict_text(conflict, context, true)};
   for (const solitaire::Condition& condition : conflict.members)
     made.members.push_back(frozen_condition(condition, context));
   return made;

@@ -19,7 +19,7 @@ struct ExplanationContext {
 /// Returns a broken or conflicting condition in a few words: "x > 5", "the list must have such an element".
 std::string words_of(const solitaire::Condition& condition, const ExplanationContext& context);
 
-// What engines found out, as plain data with its text.
+// Make plain data with texts of what engines found out.
 Conflict frozen(const solitaire::Conflict& conflict, const ExplanationContext& context);
 DeadAsserts frozen(const solitaire::DeadAsserts& asserts, const SourceSet& sources);
 ReachableValues frozen(const solitaire::ReachableValues& choice, const AddressTable& addresses);

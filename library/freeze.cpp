@@ -76,16 +76,22 @@ Distribution::Family family_of(Type type) {
 
 Value frozen(const PlainValue& value) { return std::visit(Freezer{}, value.is); }
 
-Choice frozen(const ChosenValue& choice) {
-  switch (choice.value.type()) {
+ChoiceValue frozen(TypedScalar value) {
+  switch (value.type()) {
     case Type::kBool:
-      return {choice.address, choice.value.as_int() != 0, choice.element};
+      return value.as_int() != 0;
     case Type::kInt:
-      return {choice.address, choice.value.as_int(), choice.element};
+      return value.as_int();
     case Type::kFloat:
       break;
   }
-  return {choice.address, choice.value.as_float(), choice.element};
+  return value.as_float();
+}
+
+Choice frozen(const ChosenValue& choice) { return {choice.address, frozen(choice.value), choice.element}; }
+
+TypedScalar scalar_of(const ChoiceValue& value) {
+  return std::visit([](auto answer) { return TypedScalar::of(answer); }, value);
 }
 
 Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const SourceSet& sources) {
@@ -109,7 +115,7 @@ Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const
 ChosenValues known_choices(const std::vector<Choice>& choices) {
   ChosenValues known;
   for (const Choice& choice : choices) {
-    const auto value = std::visit([](auto answer) { return TypedScalar::of(answer); }, choice.value);
+    const TypedScalar value = scalar_of(choice.value);
     known.push_back({choice.address, family_of(value.type()), value});
   }
   return known;

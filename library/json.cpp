@@ -70,7 +70,9 @@ Json condition_json(const Condition& condition) {
 }
 
 Json conflict_json(const Conflict& conflict) {
-  return {{"minimal", conflict.minimal}, {"members", list_of(conflict.members, condition_json)}};
+  Json json{{"minimal", conflict.minimal}, {"members", list_of(conflict.members, condition_json)}};
+  if (!conflict.reason.empty()) json["reason"] = conflict.reason;
+  return json;
 }
 
 Json dead_json(const DeadAssert& dead) {

@@ -1,9 +1,12 @@
 #include "library/pins.h"
 
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <solitaire/error.h>
 
+#include "library/freeze.h"
 #include "library/solution_file.h"
 
 namespace solitaire::api {
@@ -11,21 +14,24 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Error::Kind::kUsage, why); }
 
-ChoiceValue parse_value(const std::string& text, const std::string& source) {
-  if (text == "true" || text == "false") return text == "true";
-  std::int64_t number = 0;
+template <class Number>
+std::optional<Number> read_number(const std::string& text) {
+  Number number{};
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || stop != end || !is_exact(number))
-    refuse(fmt::format("{}: '{}' is no value of a choice; it is an int, true or false", source, text));
+  if (error != std::errc{} || stop != end) return std::nullopt;
   return number;
 }
 
-/// Returns the int, or a bool as 0 or 1.
-std::int64_t number_of(const ChoiceValue& value, const std::string& source) {
-  if (std::holds_alternative<double>(value))
-    refuse(source + ": a choice can be pinned to an int or a bool only");
-  return std::visit([](auto answer) { return static_cast<std::int64_t>(answer); }, value);
+ChoiceValue parse_value(const std::string& text, const std::string& source) {
+  if (text == "true" || text == "false") return text == "true";
+  const auto number = read_number<std::int64_t>(text);
+  if (number && is_exact(*number)) return *number;
+  const bool is_int = text.find_first_not_of("+-0123456789") == std::string::npos;
+  const auto real = is_int ? std::nullopt : read_number<double>(text);
+  if (!real || !std::isfinite(*real))
+    refuse(fmt::format("{}: '{}' is no value of a choice; it is a number, true or false", source, text));
+  return *real;
 }
 
 /// The patterns of which choices of a pin file are kept, and which of them matched any.
@@ -69,7 +75,7 @@ void add_pins_of_file(const Options& options, std::vector<solitaire::Pin>& pins)
     const AddressPattern address(choice.address);
     if (keep.matches(address)) {
       const std::string source = fmt::format("--pin-file {} ({})", file, choice.address);
-      pins.push_back({address, number_of(choice.value, source), false, source});
+      pins.push_back({address, scalar_of(choice.value), false, source});
     }
   }
   keep.require_used(file);
@@ -88,8 +94,7 @@ Pin parse_pin(const std::string& text, bool forbidden, const std::string& source
 std::vector<solitaire::Pin> pins_of(const Options& options) {
   std::vector<solitaire::Pin> pins;
   for (const Pin& pin : options.pins)
-    pins.push_back(
-        {AddressPattern(pin.pattern), number_of(pin.value, pin.source), pin.forbidden, pin.source});
+    pins.push_back({AddressPattern(pin.pattern), scalar_of(pin.value), pin.forbidden, pin.source});
   if (!options.pin_file.empty()) add_pins_of_file(options, pins);
   return pins;
 }

@@ -19,20 +19,12 @@ std::shared_ptr<Program::State> state_of(const std::filesystem::path& script, co
 
 LoadOptions load_options(const Program::State& state) { return {{state.data, state.data / "solitaire"}}; }
 
-std::function<solitaire::Program()> again(const ProgramFiles& texts, const std::filesystem::path& script,
-                                          const LoadOptions& options) {
-  return [texts, script, options] {
-    SourceSet sources_on_error;
-    return translated(sources_on_error,
-                      [&] { return load_program(texts, script, options, sources_on_error); });
-  };
-}
-
 std::shared_ptr<const Program::State> loaded(const std::filesystem::path& script, const Files& files,
                                              const ProgramFiles& texts) {
   const auto state = state_of(script, files);
-  state->load_again = again(texts, script, load_options(*state));
-  state->program = state->load_again();
+  SourceSet sources_on_error;
+  state->program = translated(
+      sources_on_error, [&] { return load_program(texts, script, load_options(*state), sources_on_error); });
   return state;
 }
 
@@ -55,12 +47,10 @@ Program Program::from_text(const std::string& name, const std::string& text, con
 Analysis analyze(const std::filesystem::path& script, const Files& files) {
   const ProgramFiles texts(files.buffer);
   const auto state = state_of(script, files);
-  const LoadOptions options = load_options(*state);
-  solitaire::Analysis analysis = solitaire::analyze(texts, script, options);
+  solitaire::Analysis analysis = solitaire::analyze(texts, script, load_options(*state));
   Analysis made{{}, public_diagnostics(analysis.diagnostics, analysis.program.sources)};
   if (analysis.has_errors()) return made;
   state->program = std::move(analysis.program);
-  state->load_again = again(texts, script, options);
   made.program = Program(state);
   return made;
 }
@@ -89,18 +79,6 @@ std::vector<std::string> Program::params() const {
 
 std::string Program::name() const { return state_->script.stem().string(); }
 std::string Program::file_name() const { return state_->script.filename().string(); }
-
-std::vector<std::shared_ptr<const OwnProgram>> programs_for_workers(const Program& program,
-                                                                    std::size_t number) {
-  std::vector<std::shared_ptr<const OwnProgram>> programs;
-  for (std::size_t i = 0; i < number; ++i) {
-    auto own = std::make_shared<OwnProgram>();
-    own->program = program.state().load_again();
-    own->params = values_of_params(program.state(), program.settings());
-    programs.push_back(std::move(own));
-  }
-  return programs;
-}
 
 ParamValues values_of_params(const Program::State& state,
                              const std::vector<std::pair<std::string, std::string>>& settings) {

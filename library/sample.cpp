@@ -172,9 +172,11 @@ class Sampler::State {
  private:
   void draw(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
     const SamplingOptions sampling = sampling_of(options_);
-    const auto own = programs_for_workers(program_, options_.chains);
+    std::vector<ParamValues> params;  // of each chain its own
+    for (std::uint64_t i = 0; i < options_.chains; ++i)
+      params.push_back(values_of_params(program_.state(), program_.settings()));
     std::vector<ChainProgram> programs;
-    for (const auto& each : own) programs.push_back({&each->program, &each->params});
+    for (const ParamValues& own : params) programs.push_back({&program_.state().program, &own});
     const std::uint64_t all = options_.chains * (sampling.draws + sampling.warmup);
     std::atomic<std::uint64_t> done = 0;
     chains_ = run_chains(programs, sampling, options_.jobs, [&] {

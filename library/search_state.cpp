@@ -17,8 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How much longer a search may take that has found something which only gets better: it ends by itself when
-/// its time is over.
+/// Additional time for a search that has found a solution and makes it better. It should end by itself at the
+/// deadline, and this is how long it may take to notice.
 constexpr std::chrono::milliseconds kTimeToEnd(300);
 
 SearchOptions with_stop(SearchOptions options, const StopToken& stop) {
@@ -30,7 +30,8 @@ SeriesOptions series_options(const Program& program, const SearchOptions& option
   SeriesOptions series;
   series.distinct_results = options.distinct == Distinct::kResult;
   if (!options.all) series.most = options.count;
-  if (options.jobs > 1 && series.most != 1) series.workers = programs_for_workers(program, options.jobs);
+  series.jobs = options.jobs;
+  series.make_params = [program] { return values_of_params(program.state(), program.settings()); };
   return series;
 }
 
@@ -112,7 +113,7 @@ void Search::State::start_clock() {
 /// Does what comes before the first solution.
 void Search::State::begin() {
   if (std::exchange(begun_, true)) return;
-  if (options_.relax) check_mistakes();
+  if (options_.relax) check_errors();
   auto* resumable = ability_of<Resumable>(*stream_);
   if (resumable != nullptr && !resumable->catch_up()) throw Interrupted();
 }
@@ -145,8 +146,9 @@ void Search::State::improved(const solitaire::Solution& solution) {
   stop_.set_deadline(*deadline_ + kTimeToEnd, StopReason::kTimePerSolution);
 }
 
-/// Executions that break asserts may come to mistakes that are none; the others may not.
-void Search::State::check_mistakes() {
+/// Executions that break asserts may come to errors from which the asserts protect the program. So it is
+/// checked first that no execution comes to an error which breaks none.
+void Search::State::check_errors() {
   SearchOptions strict = with_stop(options_, stop_.token());
   strict.relax = false;
   TracedProgram(program_.state().program, params_, engine_options(strict)).check();

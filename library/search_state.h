@@ -31,7 +31,7 @@ class SearchAccount {
   static Compared compared(const solitaire::Solution& solution, bool with_result);
   void count(const Compared& compared);
 
-  mutable std::mutex mutex_;  // of all that follows
+  mutable std::mutex mutex_;  // guards all members below
   std::uint64_t solutions_ = 0, earlier_ = 0;
   MeanDistance choice_distance_, result_distance_;
   EngineTimes times_;
@@ -59,13 +59,13 @@ class Search::State {
   void take_times();
   std::optional<solitaire::Solution> find();
   void improved(const solitaire::Solution& solution);
-  void check_mistakes();
+  void check_errors();
   bool wants_more() const { return options_.all || account_.solutions() < options_.count; }
 
   Program program_;
   SearchOptions options_;
   ParamValues params_;
-  StopSource stop_;  // of this search, part of the whole that the options' token stops
+  StopSource stop_;  // stops this search; the options' token does, too
   SearchObserver* observer_ = nullptr;
   std::unique_ptr<SolutionStream> stream_;
   SearchAccount account_;

@@ -1,6 +1,6 @@
 #include <solitaire/check.h>
 
-#include "engines/solve/requirements.h"
+#include "engines/solve/tracing.h"
 #include "library/engine_options.h"
 #include "library/program_state.h"
 #include "library/translate.h"
@@ -10,33 +10,31 @@
 namespace solitaire::api {
 namespace {
 
-std::string text_of(const SymbolicPass& pass, Graph& graph, const AddressTable& addresses,
-                    TraceFormat format) {
+std::string text_of(TracingEngine& engine, TraceFormat format) {
+  const TracedProgram& traced = engine.traced();
   switch (format) {
     case TraceFormat::kText:
       break;
     case TraceFormat::kDot:
-      return trace_dot(graph, addresses, pass.trace);
-    case TraceFormat::kSmtlib:
-      return to_smt2(graph, addresses, requirements_of(graph, pass.trace));
+      return trace_dot(traced.graph(), traced.addresses(), traced.trace());
+    case TraceFormat::kSmtlib: {
+      const Formula formula = engine.formula_of_rest();
+      return to_smt2(formula.graph, formula.addresses, formula.conditions);
+    }
   }
-  return trace_text(graph, addresses, pass.trace,
-                    [&](const NodeName& name) { return solitaire::to_text(pass.value, name); });
+  return trace_text(traced.graph(), traced.addresses(), traced.trace(),
+                    [&](const NodeName& name) { return solitaire::to_text(traced.pass().value, name); });
 }
 
 }  // namespace
 
 std::string trace(const Program& program, const Options& options, TraceFormat format) {
-  const TracingOptions tracing = engine_options(options);
   const solitaire::Program& parsed = program.state().program;
   return translated(parsed.sources, [&] {
-    Graph graph;
-    AddressTable addresses;
-    OpenChoices choices;
-    Explorer explorer(parsed, values_of_params(program.state(), program.settings()), tracing.exploration,
-                      tracing.seed, tracing.limits, choices, graph, addresses);
-    explorer.start();
-    return text_of(explorer.pass(), graph, addresses, format);
+    TracingEngine engine(parsed, values_of_params(program.state(), program.settings()),
+                         engine_options(options));
+    engine.explore();
+    return text_of(engine, format);
   });
 }
 

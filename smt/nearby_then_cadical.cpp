@@ -47,7 +47,8 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   std::int64_t value(std::size_t variable) override {
     const auto value = variable < model_.size() ? model_[variable] : std::nullopt;
     if (value) return *value;
-    return nearby_.suggestion(variable).value_or(graph_.variables()[variable].domain.lo);  // any will do
+    return nearby_.suggestion(variable).value_or(
+        graph_.variables()[variable].domain.lo);  // the choice may have any value
   }
 
   std::vector<NodeId> core() override { return core_; }
@@ -80,8 +81,8 @@ class NearbyThenCadical : public Solver, private ClauseSink {
     return cadical_.solve(assumed, signal, conflicts_);
   }
 
-  /// Adds random signs of some variables that stand for no choice. Which of several alternatives holds is
-  /// then drawn, too.
+  /// Adds random signs of some variables that stand for no choice, so that it is also left to chance which of
+  /// several alternatives holds.
   std::vector<int> with_drawn_signs(std::vector<int> wanted) {
     std::vector<bool> is_wanted(static_cast<std::size_t>(clauses_.variables()) + 1);
     for (const int literal : wanted) is_wanted[static_cast<std::size_t>(std::abs(literal))] = true;
@@ -100,10 +101,10 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   GraphClauses clauses_;
   NearbySearch nearby_;
   RandomStream random_;
-  bool has_suggestions_ = false;  // that CaDiCaL has not followed yet
+  bool has_suggestions_ = false;  // there are suggestions that CaDiCaL has not followed yet
   std::vector<std::optional<std::int64_t>> model_;
   std::vector<NodeId> core_;
-  std::uint64_t conflicts_ = 0;  // after which CaDiCaL gives up; 0: it does not
+  std::uint64_t conflicts_ = 0;  // CaDiCaL gives up after so many; 0: it does not
 };
 
 }  // namespace

@@ -13,19 +13,16 @@ struct NearbyOptions {
   bool far_apart = false;
 };
 
-/// Makes the back end for many models that differ much. Each check goes in two steps:
+/// Makes the back end for many models that differ much. Each check has two steps:
 ///
-/// 1. NearbySearch looks for a model near the suggested values. It is the faster one where models are many,
-/// and
-///    it gives up early where they are few. It proves nothing.
-/// 2. CaDiCaL decides what the first step left open. It starts from the values that the search had come to,
-/// and
-///    follows them for some hundred conflicts; after these it goes its own way, so that hard formulas stay
-///    solvable.
+/// 1. NearbySearch looks for a model near the suggested values. It is the faster one where there are many
+///    models, and gives up early where there are few. It proves nothing.
+/// 2. If it gave up, CaDiCaL decides. It starts from the values to which the search had come, and follows
+///    them for some hundred conflicts. After these it goes its own way, so that hard formulas stay solvable.
 ///
-/// Without new suggestions since the last time that CaDiCaL was asked, a check is the second step alone. Both
-/// work on the same clauses, which CaDiCaL gets when it is first needed. The same calls with the same seed
-/// give the same models. add_clause and check throw UnsupportedOperation.
+/// If nothing was suggested since CaDiCaL was asked the last time, a check is the second step alone. Both
+/// steps work on the same clauses, which CaDiCaL gets when it is first needed. The same calls with the same
+/// seed give the same models. add_clause and check throw UnsupportedOperation.
 std::unique_ptr<Solver> make_nearby_then_cadical(const Graph& graph, const NearbyOptions& options);
 
 }  // namespace solitaire

@@ -10,28 +10,32 @@ namespace solitaire {
 
 enum class Verdict : std::uint8_t { kSatisfiable, kUnsatisfiable, kStopped };
 
-/// What every solver back end can do with the bool nodes of one trace graph. Conditions are only ever added,
-/// so that what a solver learned stays true; what may be taken back is assumed in a check.
+/// The interface of all solver back ends. A solver is told bool nodes of one trace graph. Conditions are only
+/// ever added, so that what it learned stays true; a condition that may be taken back is assumed for one
+/// check.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// From now on at least one of the conditions holds. None at all: nothing is satisfiable any more.
+  /// Requires that at least one of the conditions holds from now on. With no conditions at all, nothing is
+  /// satisfiable any more.
   virtual void add_clause(std::span<const NodeId> conditions) = 0;
-  /// Whether everything added and all of the assumptions can hold together. kStopped if the signal or
-  /// the limit of effort came first.
+  /// Decides whether all that was added and all of the assumptions can hold together. Returns kStopped if the
+  /// signal or the limit of effort came first.
   virtual Verdict check(std::span<const NodeId> assumptions, const StopSignal& stop) = 0;
-  /// From now on a check ends with kStopped after about so many conflicts of the search; 0: it does not.
+  /// Makes each check from now on end with kStopped after about so many conflicts of the search. With 0 there
+  /// is no such limit.
   virtual void limit_effort(std::uint64_t conflicts) = 0;
-  /// A value to try first for a choice, in the checks to come. False if this solver takes no suggestions.
+  /// Suggests a value to try first for a choice in the checks to come. Returns false if this solver takes no
+  /// suggestions.
   virtual bool suggest(std::size_t variable, std::int64_t value) = 0;
-  /// Whether ints are exact. If not, some of them may have wrapped: a model may then be no execution, and an
-  /// unsatisfiable formula no proof.
+  /// Returns true if ints are exact. If they are not, some of them may have wrapped. Then a model may be no
+  /// execution, and an unsatisfiable formula proves nothing.
   virtual bool exact() const { return true; }
-  /// After kSatisfiable: the value of the choice variable with that number.
+  /// Returns the value of the choice variable with that number. For use after kSatisfiable.
   virtual std::int64_t value(std::size_t variable) = 0;
-  /// After kUnsatisfiable: assumptions that cannot hold together with what was added. Empty: nothing assumed
-  /// matters.
+  /// Returns assumptions that cannot hold together with what was added. The list is empty if what was added
+  /// is unsatisfiable by itself. For use after kUnsatisfiable.
   virtual std::vector<NodeId> core() = 0;
 };
 

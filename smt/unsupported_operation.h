@@ -7,7 +7,8 @@
 namespace solitaire {
 
 /// Thrown for a condition that depends on an operation which bit-vectors cannot express, such as one on
-/// floats. Names the node, so that whoever asked can say which choice and which place in the program it is.
+/// floats. It names the node, so that whoever asked can say which choice and which place in the program it
+/// is.
 class UnsupportedOperation : public std::runtime_error {
  public:
   UnsupportedOperation(Op unsupported, NodeId at)

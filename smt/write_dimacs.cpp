@@ -26,7 +26,7 @@ class Text : public ClauseSink {
     ++count_;
   }
 
-  /// What the format wants to stand behind the comments.
+  /// Returns the line that the format requires behind the comments.
   std::string problem(int variables) const {
     return fmt::format("p cnf {} {}\n{}", variables, count_, clauses_);
   }

@@ -15,7 +15,8 @@
 namespace solitaire {
 namespace {
 
-/// How an operation reads in SMT-LIB: {0}, {1} and {2} are its operands, ints among them all of one width.
+/// Says how an operation is written in SMT-LIB. {0}, {1} and {2} stand for its operands. All ints among them
+/// have the same width.
 struct Form {
   Op op;
   const char* text;
@@ -33,8 +34,8 @@ constexpr Form kRows[] = {
     {Op::kAdd, "(bvadd {0} {1})"},
     {Op::kSub, "(bvsub {0} {1})"},
     {Op::kMul, "(bvmul {0} {1})"},
-    // Without its remainder, which has the divisor's sign, the dividend is a multiple of the divisor. One bit
-    // more holds that multiple, and the quotient of the least number by -1.
+    // The remainder has the divisor's sign. The dividend minus the remainder is a multiple of the divisor,
+    // which one more bit holds, as it holds the quotient of the least number by -1.
     {Op::kDiv, "(bvsdiv (bvsub {0} (bvsmod {0} {1})) {1})", 1},
     {Op::kMod, "(bvsmod {0} {1})"},
     {Op::kNeg, "(bvneg {0})"},

@@ -355,6 +355,27 @@ TEST_CASE("cli: a pin that matches nothing names the nearest addresses") {
   CHECK(has(run_solitaire({"solve", script, "--pin", "**/z=3"}).err, "**/x"));
 }
 
+TEST_CASE("cli: a pin's value has the type of the choices that it matches") {
+  const Workplace place;
+  const std::string script =
+      place.file("types.sol", "n = range(0, 3);\nb = flip();\nx = uniform(0, 8);\nreturn [n, b, x];\n");
+  const auto pinned = [&](std::vector<std::string> pins) {
+    std::vector<std::string> arguments = {"solve", script, "--all"};
+    for (const std::string& pin : pins) arguments.insert(arguments.end(), {"--pin", pin});
+    return run_solitaire(arguments);
+  };
+  CHECK(has(pinned({"n=2", "b=true", "x=2.5"}).out, "[2, true, 2.5]"));
+  CHECK(has(pinned({"n=2", "b=0", "x=4"}).out, "[2, false, 4.0]"));
+  CHECK(pinned({"x=9.5"}).status == 1);
+  CHECK(has(pinned({"x=2.5", "n=true"}).err, "--pin 'n=true': n is an int"));
+  CHECK(has(pinned({"x=2.5", "n=0.5"}).err, "--pin 'n=0.5': n is an int"));
+  CHECK(has(pinned({"x=2.5", "b=2"}).err, "--pin 'b=2': b is a bool"));
+  CHECK(has(pinned({"x=false"}).err, "--pin 'x=false': x is a float"));
+  CHECK(pinned({"x=2.5", "b=2"}).status == 2);
+  CHECK(has(run_solitaire({"solve", script, "--all", "--pin", "x=2.5", "--forbid", "**=0.5"}).err,
+            "8 solutions"));
+}
+
 TEST_CASE("cli: pins that are not written as pins are wrong usage") {
   const Workplace place;
   const std::string script = place.file("seats.sol", kSeats);

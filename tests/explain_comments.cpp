@@ -20,10 +20,12 @@ std::string trimmed(const std::string& text) {
 Pin pin_of(const std::string& text, bool forbidden) {
   const std::size_t sign = text.rfind('=');
   const std::string value = text.substr(sign + 1);
-  Pin pin{AddressPattern(text.substr(0, sign)), value == "true" ? 1 : 0, forbidden,
+  TypedScalar scalar = TypedScalar::of(value == "true");
+  std::int64_t number = 0;
+  const char* const end = value.data() + value.size();
+  if (std::from_chars(value.data(), end, number).ec == std::errc{}) scalar = TypedScalar::of(number);
+  return {AddressPattern(text.substr(0, sign)), scalar, forbidden,
           fmt::format("{} '{}'", forbidden ? "--forbid" : "--pin", text)};
-  std::from_chars(value.data(), value.data() + value.size(), pin.value);
-  return pin;
 }
 
 void add_members(Members& members, const std::string& list, const std::string& place) {

@@ -84,8 +84,7 @@ TEST_CASE("series: the same where all are gone through in order") {
 std::vector<std::string> take_with(std::size_t jobs, const char* text, SeriesOptions options,
                                    std::size_t count, Ending* ending) {
   const Program program = program_of(text);
-  for (std::size_t i = 0; i < jobs; ++i)
-    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(text), {}}));
+  options.jobs = jobs;
   Series series(program, {}, {}, options);
   std::vector<std::string> taken = take(series, count);
   *ending = series.ending();
@@ -115,8 +114,7 @@ TEST_CASE("series: a search at work beside others hands on its errors, in its tu
   const char* const text = "x = range(0, 99);\nif x > 49 { y = 1 + \"a\"; }\nreturn x;\n";
   const Program program = program_of(text);
   SeriesOptions options;
-  for (int i = 0; i < 2; ++i)
-    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(text), {}}));
+  options.jobs = 2;
   Series series(program, {}, {}, options);
   CHECK_THROWS_AS(series.next(), ProgramError);
 }
@@ -125,8 +123,7 @@ TEST_CASE("series: searches at work beside others end when they are told to") {
   const char* const text = "x = [range(0, 1000) for i in 1..20]; assert(sum(x) == 999); return x;";
   const Program program = program_of(text);
   SeriesOptions options;
-  for (int i = 0; i < 3; ++i)
-    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(text), {}}));
+  options.jobs = 3;
   StopSignal stop;
   TracingOptions tracing;
   tracing.limits.stop = &stop;
@@ -142,8 +139,7 @@ TEST_CASE("series: searches at work beside others end when they are told to") {
 std::uint64_t replays(Replay replay, bool diverse, std::size_t jobs, std::size_t count) {
   const Program program = program_of(kRooks);
   SeriesOptions options;
-  for (std::size_t i = 0; i < jobs; ++i)
-    options.workers.push_back(std::make_shared<OwnProgram>(OwnProgram{program_of(kRooks), {}}));
+  options.jobs = jobs;
   TracingOptions tracing;
   tracing.replay = replay;
   tracing.diverse = diverse;

@@ -41,7 +41,7 @@ TEST_CASE("solution: it stays what it is when its engine and its program are gon
   {
     const Program program = program_of(kEverything);
     TracingOptions options;
-    options.pins = {{AddressPattern("x"), 3, false, "the test"}};
+    options.pins = {{AddressPattern("x"), TypedScalar::of(std::int64_t{3}), false, "the test"}};
     TracingEngine engine(program, {}, options);
     solution = engine.next();
     REQUIRE(engine.next());

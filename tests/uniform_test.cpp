@@ -20,7 +20,7 @@ struct Sampled {
 };
 
 Pin pin(const char* pattern, std::int64_t value, bool forbidden) {
-  return {AddressPattern(pattern), value, forbidden, pattern};
+  return {AddressPattern(pattern), TypedScalar::of(value), forbidden, pattern};
 }
 
 const std::vector<Sampled>& sampled() {

@@ -9,9 +9,9 @@
 
 namespace solitaire {
 
-/// Where in an execution something happened: the chain of call sites, loop turns and the own site that led
-/// there, the same on every run that comes there (the addressing scheme of section 4.3.1). An index into an
-/// AddressTable; equal ids are equal addresses.
+/// Says where in an execution something happened: the chain of call sites and loop turns that led there, and
+/// its own site. It is the same in every run that comes there (the addressing scheme of section 4.3.1). The
+/// id is an index into an AddressTable, in which equal ids are equal addresses.
 struct AddressId {
   std::uint32_t index = 0;
   friend auto operator<=>(AddressId, AddressId) = default;
@@ -69,7 +69,7 @@ class AddressTable {
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> slots_;  // open addressing: numbers of entries, at most half of them taken
   std::size_t mask_;
-  mutable std::unordered_map<std::uint32_t, std::string> texts_;  // that somebody asked for
+  mutable std::unordered_map<std::uint32_t, std::string> texts_;  // the texts that somebody asked for
   std::vector<std::string> labels_;
   std::unordered_map<std::string, std::uint32_t, TextHash, std::equal_to<>> label_ids_;
 };

@@ -14,7 +14,9 @@ class AddressPattern {
 
   const std::string& text() const { return text_; }
   const std::vector<std::string>& steps() const { return steps_; }
-  /// `steps` as of AddressTable::steps.
+  /// Returns true if it matches nothing but the address with its own text.
+  bool is_exact() const { return text_.find('*') == std::string::npos; }
+  /// Returns true if it matches an address with these steps, see AddressTable::steps.
   bool matches(const std::vector<std::string>& steps) const;
 
  private:

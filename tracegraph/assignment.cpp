@@ -43,7 +43,7 @@ void Assignment::compute(NodeId id) {
       known[count] = state(operand) == State::kKnown;
       operands[count++] = values_[operand.index];
     }
-    // Only the taken side of an ite counts, and a connective may be settled by one operand.
+    // Of an ite only the side that is taken counts, and one operand may decide a connective by itself.
     bool defined = true;
     for (std::size_t i = 0; i < count; ++i) defined = defined && known[i];
     if (node.op == Op::kAnd || node.op == Op::kOr) {

@@ -16,7 +16,7 @@ class Assignment {
 
   /// The node's value; nothing where it depends on an operation without meaning, such as a division by zero.
   std::optional<Scalar> value(NodeId node);
-  /// Whether a bool node is true.
+  /// Returns true if a bool node is true.
   bool holds(NodeId node);
 
  private:

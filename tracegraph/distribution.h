@@ -8,8 +8,8 @@
 
 namespace solitaire {
 
-/// What a choice can be, and how probable each value is before any condition is looked at: its domain and its
-/// prior in one. Solvers look at the domain (its support) alone.
+/// Says which values a choice can have, and how probable each is before any condition is looked at: its
+/// domain and its prior in one. Solvers look at the domain (its support) alone.
 ///
 /// Ints and bools of finite families have the values lo, lo + step, ... up to hi, where a bool is 0 or 1.
 /// Counts have all ints from 0 to kMostCount. Floats have none of these three, but two parameters.
@@ -46,7 +46,7 @@ struct Distribution {
   static Distribution index(std::int64_t count) { return {0, count - 1, 1, Family::kIndex, 0, 0, {}}; }
   /// A position, as probable as its weight is large. Weights are finite, none is negative, and one is not 0.
   static Distribution weighted(std::vector<double> weights);
-  /// 0 <= probability <= 1.
+  /// Returns the distribution of flip(), where 0 <= probability <= 1.
   static Distribution flip(double probability = 0.5) { return {0, 1, 1, Family::kFlip, probability, 0, {}}; }
   /// from < to, both finite.
   static Distribution uniform(double from, double to) { return of_floats(Family::kUniform, from, to); }
@@ -62,19 +62,19 @@ struct Distribution {
   /// Returns true if it has so few values that solvers and enumerations can go through them.
   bool is_finite() const { return family <= Family::kIndex; }
 
-  /// How many values there are. Only for finite families.
+  /// Returns the number of values. Only for finite families.
   std::uint64_t size() const {
     return static_cast<std::uint64_t>(step == 1 ? hi - lo : (hi - lo) / step) + 1;
   }
   /// The value with that number, from 0. Only for finite families.
   std::int64_t value(std::uint64_t number) const { return lo + static_cast<std::int64_t>(number) * step; }
-  /// From the least to the largest value. Not for floats.
+  /// Returns the interval from the least to the largest value. Not for floats.
   Interval interval() const { return {lo, hi - (hi - lo) % step}; }
-  /// Whether the int, or the bool as 0 or 1, is one of the values. Not for floats.
+  /// Returns true if the int, or the bool as 0 or 1, is one of the values. Not for floats.
   bool contains(std::int64_t value) const {
     return lo <= value && value <= hi && (step == 1 || (value - lo) % step == 0);
   }
-  /// Whether the value has the right type and can occur.
+  /// Returns true if the value has the right type and can occur.
   bool contains(TypedScalar value) const;
   /// An int of a solver as a value of this type. Only for finite families.
   TypedScalar typed(std::int64_t value) const { return {type(), Scalar::of(value)}; }

@@ -51,7 +51,7 @@ class Graph {
     Op op;
     bool has_float;  // itself or an operand below it is a float: no bit-vector says it
     std::array<NodeId, 3> operands{};
-    Interval interval;          // of ints; a constant bool or int is its lower end
+    Interval interval;          // of an int; its lower end is the value of a constant bool or int
     std::uint64_t payload = 0;  // the bits of a float constant, or the number of a choice
 
     std::span<const NodeId> args() const { return {operands.data(), operation(op).arity}; }
@@ -109,7 +109,7 @@ class Graph {
   static std::uint64_t hash(const Node& node);
 
   std::vector<Node> nodes_;
-  UniqueTable table_;  // of the nodes
+  UniqueTable table_;  // finds equal nodes
   std::vector<ChoiceVariable> variables_;
   std::vector<NodeId> variable_nodes_;
   struct VariableHash {

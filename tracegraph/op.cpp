@@ -162,7 +162,8 @@ static_assert(complete(),
 
 }  // namespace
 
-// Not the table itself: of functions that other files could see, the sanitizers doubt that they are there.
+// The checks look at this copy, because the sanitizers do not take the address of a function that other files
+// can see for a constant.
 constexpr std::array<Operation, kOpCount> kOperations = kTable;
 
 Op ite_of(Type type) {

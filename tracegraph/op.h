@@ -25,9 +25,9 @@ enum class Op : std::uint8_t {
 // clang-format on
 inline constexpr std::size_t kOpCount = static_cast<std::size_t>(Op::kCount_);
 
-/// What an operation means on constants. It gives nothing where the operation has no meaning: a division by
-/// zero, an int past kIntLimit, the square root or logarithm of a negative number. Float arithmetic follows
-/// IEEE 754 and may give an infinity where a result is too large.
+/// Computes the result of an operation on constants. It gives nothing where the operation has no meaning: a
+/// division by zero, an int past kIntLimit, the square root or logarithm of a negative number. Float
+/// arithmetic follows IEEE 754 and may give an infinity where a result is too large.
 using Fold = std::optional<Scalar> (*)(const Scalar* operands);
 /// Bounds of an int result, given bounds of the operands. They may lie outside the exact range.
 using Bounds = Interval (*)(const Interval* operands);
@@ -38,24 +38,25 @@ using Derivative = void (*)(const Scalar* operands, double result, double* parti
 
 struct Operation {
   Op op;
-  std::string_view name;    // as SMT-LIB-like prefix text, used by dot output
-  std::string_view symbol;  // as the language writes it, used by text output; empty: name(a, b)
+  std::string_view name;    // in prefix notation, for drawings of the graph
+  std::string_view symbol;  // in infix notation, as in the language; if empty, text has name(a, b)
   std::uint8_t arity;
-  Type operand;  // of every operand but the condition of an ite, which is a bool
+  Type operand;  // the type of all operands, except that the condition of an ite is a bool
   Type result;
   Fold fold;                        // null for leaves
   Bounds bounds;                    // null unless the result is an int
-  bool commutative = false;         // whether f(a, b) and f(b, a) are one
+  bool commutative = false;         // f(a, b) equals f(b, a)
   Derivative derivative = nullptr;  // null unless the result is a float that depends smoothly on floats
 
-  /// Whether an operand or the result is a float. Bit-vectors and clauses cannot say such an operation.
+  /// Returns true if an operand or the result is a float. Bit-vectors and clauses cannot express such an
+  /// operation.
   constexpr bool on_floats() const { return operand == Type::kFloat || result == Type::kFloat; }
 };
 
 extern const std::array<Operation, kOpCount> kOperations;
 inline const Operation& operation(Op op) { return kOperations[static_cast<std::size_t>(op)]; }
 
-/// Whether nodes of the operation are choices that were left open.
+/// Returns true if nodes of the operation are choices that were left open.
 constexpr bool is_choice(Op op) { return op == Op::kChoice || op == Op::kChoiceFloat; }
 
 /// The ite (phi) of that type: ite(condition, then, else).

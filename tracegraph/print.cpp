@@ -115,8 +115,8 @@ class TextPrinter {
     for (const Term& term : trace.soft_terms)
       line(fmt::format("{}{}({});", condition(term.guard), soft_text(term.strength), name(term.node)),
            addresses_.text(term.address));
-    for (const auto& mistake : trace.program_errors)
-      line(fmt::format("{}error;", condition(mistake.guard)), mistake.message);
+    for (const auto& error : trace.program_errors)
+      line(fmt::format("{}error;", condition(error.guard)), error.message);
     for (const auto& blocker : trace.blockers) {
       const char* side = blocker.side.kind == BranchSide::Kind::kThen   ? "then side"
                          : blocker.side.kind == BranchSide::Kind::kElse ? "else side"
@@ -225,8 +225,8 @@ std::string trace_dot(const Graph& graph, const AddressTable& addresses, const T
            term.node, "plum");
   for (const auto& blocker : trace.blockers)
     effect("not explored\n" + addresses.text(blocker.side.branch), blocker.guard, kTrue, "lightgray");
-  for (const auto& mistake : trace.program_errors)
-    effect("error: " + mistake.message, mistake.guard, kTrue, "salmon");
+  for (const auto& error : trace.program_errors)
+    effect("error: " + error.message, error.guard, kTrue, "salmon");
   for (const auto& placed : trace.placed)
     effect("place\n" + addresses.text(placed.address), placed.guard, kTrue, "wheat");
   return text + "}\n";

@@ -6,7 +6,7 @@
 
 namespace solitaire {
 
-/// What a node is called in the text.
+/// Returns the name of a node in the text.
 using NodeNames = std::function<std::string(NodeId)>;
 
 /// The trace as text, an operation a line in the manner of figure 4.3: operations named x0, x1, ... in the

@@ -16,4 +16,12 @@ std::string to_text(TypedScalar value) {
   return "";
 }
 
+std::optional<TypedScalar> converted(TypedScalar value, Type type) {
+  if (value.type() == type) return value;
+  if (value.type() != Type::kInt) return std::nullopt;
+  if (type == Type::kFloat) return TypedScalar::of(value.as_float());
+  if (value.as_int() != 0 && value.as_int() != 1) return std::nullopt;
+  return TypedScalar::of(value.as_int() == 1);
+}
+
 }  // namespace solitaire

@@ -2,6 +2,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "base/hash.h"
@@ -44,7 +45,7 @@ class TypedScalar {
   }
 
   friend constexpr bool operator==(TypedScalar a, TypedScalar b) { return (a <=> b) == 0; }
-  /// By type, then by value.
+  /// Values are ordered by type, then by value.
   friend constexpr std::partial_ordering operator<=>(TypedScalar a, TypedScalar b) {
     if (a.type_ != b.type_) return a.type_ <=> b.type_;
     if (a.type_ == Type::kFloat) return a.value_.f <=> b.value_.f;
@@ -55,6 +56,10 @@ class TypedScalar {
   Type type_;
   Scalar value_;
 };
+
+/// Returns the value as one of that type, where it can stand for one: an int for a float, and the ints 0 and
+/// 1 for false and true. Every value stands for itself. Returns nothing for all else.
+std::optional<TypedScalar> converted(TypedScalar value, Type type);
 
 /// The value as the language writes it: true, 3, 0.5. A float gets the fewest digits that say exactly this
 /// one, and always a point or an exponent.

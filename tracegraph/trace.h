@@ -80,18 +80,18 @@ struct TraceBlocker {
   Span span;
 };
 
-/// What a concrete execution would report as an error of the program, or, where it would not, what the pass
-/// could not express.
+/// An error that a concrete execution would report, or something that the pass could not express.
 struct TraceProgramError {
   NodeId guard;
   AddressId address;
   Span span;
   std::string message;
   std::string help;
-  bool of_program = true;  // else of the pass, which a concrete execution knows nothing about
+  bool of_program = true;  // false for what only the pass cannot express
 };
 
-/// What one symbolic evaluation found, in program order: section 4.1.5's trace graph, seen from its effects.
+/// All effects that one symbolic evaluation found, in program order. It is the trace graph of section 4.1.5,
+/// seen from its effects.
 struct Trace {
   std::vector<TraceChoice> choices;
   std::vector<Term> hard_terms;

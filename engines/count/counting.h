@@ -18,12 +18,12 @@ struct CountOptions {
   Accuracy accuracy;
 };
 
-/// How many solutions there are: the product of the factors and of the estimate, if there is one.
+/// The number of solutions: the product of the factors and of the estimate, if there is one.
 struct SolutionCount {
   std::vector<std::uint64_t> factors;
   std::optional<Estimate> estimate;
 
-  /// The product of the factors in decimal digits.
+  /// Returns the product of the factors in decimal digits.
   std::string digits() const;
   double log10() const;
 };

@@ -5,8 +5,9 @@
 
 namespace solitaire {
 
-/// How far an estimated number may be off, and how surely: with at least that probability, over seeds, it is
-/// neither more than 1 + tolerance times what it should be, nor less than that divided by 1 + tolerance.
+/// The guarantee of an estimated number. Over seeds, with a probability of at least `confidence`, the
+/// estimate is neither more than 1 + tolerance times the true number, nor less than that divided by 1 +
+/// tolerance.
 struct Accuracy {
   double tolerance = 0.8;   // more than 0
   double confidence = 0.9;  // between 0 and 1

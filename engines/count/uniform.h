@@ -29,8 +29,8 @@ class UniformEngine : public SolutionStream, public Exploring, public Timed {
   UniformEngine(const Program& program, ParamValues params, const TracingOptions& options,
                 const UniformOptions& uniform = {});
 
-  /// As SolutionStream::next. The ending is kUnexplored where TracedProgram::explore_fully returns false.
-  /// Throws UnmatchedPin and UnequalSolutions, too.
+  /// Returns the next solution, see SolutionStream::next. The ending is kUnexplored where
+  /// TracedProgram::explore_fully returns false. Throws UnmatchedPin and UnequalSolutions, too.
   std::optional<Solution> next() override;
   Ending ending() const override { return ending_; }
 
@@ -59,17 +59,17 @@ class UniformEngine : public SolutionStream, public Exploring, public Timed {
   StopSignal stop_;
   UniformOptions uniform_;
   TracedProgram program_;
-  std::optional<SolutionSpace> space_;  // once it is explored
+  std::optional<SolutionSpace> space_;  // made when all is explored
   bool prepared_ = false;
-  std::vector<std::vector<BitModel>> listed_;  // by part; none of free ones, nor of the rest
-  std::uint64_t total_ = 1;                    // of the parts that are free or listed; at most UINT64_MAX
-  std::optional<CellSampler> sampler_;         // of the rest: the last part, if there is much of it
-  std::optional<std::vector<BitModel>> rest_;  // once listing it is no more work than drawing
+  std::vector<std::vector<BitModel>> listed_;  // by part; empty for parts that are free, and for the rest
+  std::uint64_t total_ = 1;             // the product over parts that are free or listed, at most UINT64_MAX
+  std::optional<CellSampler> sampler_;  // for the rest, which is the last part, if it is large
+  std::optional<std::vector<BitModel>> rest_;  // made when listing it is no more work than drawing
   std::set<VariableValues> drawn_;
   std::uint64_t came_ = 0;
   bool passed_over_ = false;
   std::optional<RandomStream> random_;  // for the solution that comes next
-  std::uint64_t draws_ = 0;             // from it
+  std::uint64_t draws_ = 0;             // how often it was used
   Ending ending_ = Ending::kNone;
 };
 

@@ -23,7 +23,7 @@ class UniformSeries : public SolutionStream,
   std::vector<Solution> resume(const std::vector<ChosenValues>& earlier) override;
   bool catch_up() override { return true; }
   void explore() override { engine_.explore(); }
-  /// As UniformEngine::next.
+  /// Returns the next solution, see UniformEngine::next.
   std::optional<Solution> next() override;
   Ending ending() const override { return engine_.ending(); }
   std::size_t graph_size() const override { return engine_.graph_size(); }

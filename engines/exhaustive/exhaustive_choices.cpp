@@ -4,7 +4,7 @@ namespace solitaire {
 
 std::optional<TypedScalar> ExhaustiveChoices::answer(AddressId address, const Distribution& domain) {
   if (!domain.is_finite()) return std::nullopt;
-  // The same answers so far lead to the same next choice, so the digits read so far are this execution's.
+  // Equal answers lead to the same next choice, so the digits read so far belong to this execution, too.
   if (depth_ == digits_.size()) {
     const Distribution possible = widened(address, domain);
     digits_.push_back({possible.lo, possible.hi, possible.step});

@@ -6,7 +6,7 @@ namespace solitaire {
 /// An assert, or a conjunct of one, that rules no execution out.
 struct DeadAssert {
   Span span;
-  bool met = true;  // whether any execution that fulfils the other conditions comes to it
+  bool met = true;  // some execution that fulfils the other conditions comes to it
 };
 
 struct DeadAsserts {

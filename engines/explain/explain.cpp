@@ -52,7 +52,7 @@ std::optional<Conflict> Explainer::next_conflict() {
 std::optional<Conflict> Explainer::another_conflict() {
   if (ending_ != Ending::kNone) return std::nullopt;
   const auto unexplained = [this](const Condition& each) { return explained_.count(each) == 0; };
-  ending_ = ending_after(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kMistakes));
+  ending_ = ending_after(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kErrors));
   if (ending_ != Ending::kNone) return std::nullopt;
   Conditions members = solver_.core();
   tell(members);
@@ -61,7 +61,7 @@ std::optional<Conflict> Explainer::another_conflict() {
   try {
     return complete(members, minimal);
   } catch (const Interrupted&) {
-    return Conflict{{members.begin(), members.end()}, false};
+    return Conflict{{members.begin(), members.end()}, false, solver_.over_full(members)};
   }
 }
 
@@ -90,9 +90,9 @@ bool Explainer::minimize(ConditionSolver& solver, Conditions& members, const Con
   return minimal;
 }
 
-/// Where the choices lie within their ranges, intervals decide much that depends on them, and nothing tells
-/// any more on which of them. So this looks at a trace in which all are free, as far as the solver's numbers
-/// allow that.
+/// Finds the choices on which conditions depend. While choices lie within their ranges, intervals decide many
+/// conditions, and then no node tells any more on which choices these depend. So this looks at a trace in
+/// which the choices may have any values that the solver's numbers allow.
 std::optional<Explainer::Freedom> Explainer::choices_below(const Conditions& members) {
   for (const std::int64_t reach :
        {2 * std::min(largest_constant(solver_.graph()), tuning::kMostReach), tuning::kLeastReach}) {
@@ -119,7 +119,7 @@ std::optional<Explainer::Freedom> Explainer::choices_below(const Conditions& mem
 /// Completes a conflict by the ends of ranges that take part: its conditions cannot hold together because
 /// choices lie within their ranges, so these choices are freed, and the ends become conditions of their own.
 Conflict Explainer::complete(Conditions members, bool minimal) {
-  Conflict conflict{{members.begin(), members.end()}, false};
+  Conflict conflict{{members.begin(), members.end()}, false, solver_.over_full(members)};
   const std::optional<Freedom> freedom = choices_below(members);
   if (!freedom) return conflict;
   WideChoices choices(&freedom->choices, freedom->reach, pins_);
@@ -134,6 +134,7 @@ Conflict Explainer::complete(Conditions members, bool minimal) {
   tell(with_ends);
   conflict.minimal = minimize(wide, with_ends, members) && minimal;
   conflict.members.assign(with_ends.begin(), with_ends.end());
+  conflict.room = wide.over_full(with_ends);
   return conflict;
 }
 

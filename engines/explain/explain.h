@@ -8,7 +8,8 @@ namespace solitaire {
 /// Conditions that cannot hold together.
 struct Conflict {
   std::vector<Condition> members;  // in the order of the program's text
-  bool minimal = true;             // whether it is proved that without any one of them the others can hold
+  bool minimal = true;             // it is proved that without any one of them the others can hold
+  std::optional<OverFull> room = std::nullopt;  // what needs more room than there is, if that is why
 };
 
 /// Says why a program has no solution: minimal sets of conditions that cannot hold together (minimal

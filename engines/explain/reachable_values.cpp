@@ -56,7 +56,7 @@ class Survey {
       const auto [it, added] = index_.try_emplace(choice.address, found_.size());
       if (added) {
         found_.push_back({choice.address, choice.span, choice.domain, {}});
-        found_.back().pinned = pins_.value_at(choice.address).has_value();
+        found_.back().pinned = pins_.fixing(choice.address) != nullptr;
       }
       Distribution& domain = found_[it->second].domain;
       domain.lo = std::min(domain.lo, choice.domain.lo);

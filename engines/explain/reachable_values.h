@@ -5,21 +5,22 @@
 
 namespace solitaire {
 
-/// Which values a choice takes in the solutions of a program.
+/// The values that a choice takes in the solutions of a program.
 struct ReachableValues {
   AddressId address;
   Span span;
   Distribution domain;            // over all paths
-  std::set<std::int64_t> values;  // that occur: all of them, or where there are too many the least and most
-  bool listed = true;             // whether `values` is all of them
+  std::set<std::int64_t> values;  // all that occur or, if there are too many, the least and the greatest
+  bool listed = true;             // `values` has all of them
   bool pinned = false;
-  bool complete = true;  // whether no limit came first
+  bool complete = true;  // no limit came first
   /// Returns true if some value of the domain never occurs.
   bool restricted() const;
 };
 
-/// For every choice that the program makes, in the order in which it is met; each is told as soon as it is
-/// known. Choices of many values are described by the least and the greatest.
+/// Finds the values of every choice that the program makes, in the order in which choices are met. `told` is
+/// called for each as soon as it is known. Choices of many values are described by the least and the
+/// greatest.
 void find_reachable_values(const Program& program, const ParamValues& params, const TracingOptions& options,
                            AddressTable& addresses, const std::function<void(const ReachableValues&)>& told);
 

@@ -10,7 +10,8 @@
 
 namespace solitaire {
 
-/// A program that one thread has for itself: values count who holds them without regard to other threads.
+/// A program, which chains share, and params that a chain has for itself: values count who holds them without
+/// regard to other threads.
 struct ChainProgram {
   const Program* program = nullptr;
   const ParamValues* params = nullptr;

@@ -13,9 +13,10 @@ TracingOptions choices_only(TracingOptions options, const StopSignal& stop) {
 
 }  // namespace
 
-BackgroundSearch::BackgroundSearch(std::shared_ptr<const OwnProgram> program, const TracingOptions& options,
+BackgroundSearch::BackgroundSearch(const Program& program, ParamValues params, const TracingOptions& options,
                                    std::uint64_t first, std::vector<ChosenValues> known, std::size_t wanted)
-    : program_(std::move(program)),
+    : program_(program),
+      params_(std::move(params)),
       options_(choices_only(options, stop_)),
       whole_(options.limits.stop),
       stop_(whole_),
@@ -31,7 +32,7 @@ BackgroundSearch::~BackgroundSearch() {
 
 void BackgroundSearch::run() {
   try {
-    TracingEngine engine(program_->program, program_->params, options_, first_);
+    TracingEngine engine(program_, std::move(params_), options_, first_);
     for (const ChosenValues& known : known_) engine.exclude(known);
     while (wait_until_wanted()) {
       const std::optional<Solution> solution = engine.next();

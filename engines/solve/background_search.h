@@ -2,7 +2,6 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -13,41 +12,37 @@
 
 namespace solitaire {
 
-/// A program that one thread has for itself. Values count who holds them without regard to other threads, so
-/// no two of these may share any.
-struct OwnProgram {
-  Program program;
-  ParamValues params;
-};
-
-/// A TracingEngine at work on a thread of its own. What crosses over is plain: the choices of solutions.
+/// A TracingEngine that works on a thread of its own. Only plain data passes between the threads: the choices
+/// of solutions.
 class BackgroundSearch {
  public:
   /// Looks for solutions beside the known ones, `wanted` of them and then as many as next() asks for.
-  BackgroundSearch(std::shared_ptr<const OwnProgram> program, const TracingOptions& options,
+  /// The program is shared with other threads. The params must not be: values count who holds them without
+  /// regard to other threads.
+  BackgroundSearch(const Program& program, ParamValues params, const TracingOptions& options,
                    std::uint64_t first, std::vector<ChosenValues> known, std::size_t wanted);
   ~BackgroundSearch();
 
-  /// The next solution, or nothing: then ending() says why. Throws what the engine threw.
+  /// Returns the next solution, or nothing; then ending() says why. Throws what the engine threw.
   std::optional<ChosenValues> next();
   Ending ending() const { return ending_; }
-  /// The times up to the last solution that it found.
+  /// Returns the times up to the last solution that was found.
   EngineTimes times() const;
-  const std::shared_ptr<const OwnProgram>& program() const { return program_; }
 
  private:
   void run();
   bool wait_until_wanted();
   void finish(Ending ending, std::exception_ptr error);
 
-  std::shared_ptr<const OwnProgram> program_;
+  const Program& program_;
+  ParamValues params_;  // the thread takes them
   TracingOptions options_;
   const StopSignal* whole_;
   StopSignal stop_;
   std::uint64_t first_;
   std::vector<ChosenValues> known_;
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards all members below
   std::condition_variable changed_;
   std::deque<ChosenValues> found_;
   EngineTimes times_;
@@ -57,7 +52,7 @@ class BackgroundSearch {
   std::exception_ptr error_;
   Ending ending_ = Ending::kNone;
 
-  LargeStackThread thread_;  // the last: it uses the others
+  LargeStackThread thread_;  // comes last, as it uses the others
 };
 
 }  // namespace solitaire

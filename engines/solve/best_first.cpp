@@ -67,7 +67,7 @@ Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_poin
   return best;
 }
 
-/// What a trace says of the cost is all there is to say only where no path is left unexplored.
+/// The cost is known to be constant only if no path is left unexplored.
 bool BestFirst::needs_no_search() const {
   const Trace& trace = solver_.trace();
   return solver_.graph().node(objective_).is_constant() && (trace.blockers.empty() || !trace.has_costs());

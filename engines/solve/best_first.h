@@ -13,11 +13,11 @@ namespace solitaire {
 struct Candidate {
   Solution solution;
   Valuation values;       // of its choices
-  std::int64_t rank = 0;  // what the objective comes to: less is better
-  std::int64_t miss = 0;  // by how much it misses the asserts, if it does: less looks better
+  std::int64_t rank = 0;  // the value of the objective; less is better
+  std::int64_t miss = 0;  // by how much it misses the asserts, if it does; less looks better
 };
 
-/// What a search for one solution came to.
+/// The result of a search for one solution.
 struct Attempt {
   std::optional<Candidate> found;
   Ending ending = Ending::kNone;  // why nothing was found
@@ -42,10 +42,10 @@ class BestFirst {
   /// `stop` ends the search for one solution.
   BestFirst(ExecutionSolver& solver, const TracingOptions& options, StopSignal& stop);
 
-  /// To be called after each pass: the objective is one of its trace. Throws ProgramError where costs can
-  /// grow too large.
+  /// Makes the objective of the newest pass; to be called after each. Throws ProgramError if costs can grow
+  /// too large.
   void meet_pass();
-  /// The rank of the solution with these values of the choices' variables.
+  /// Returns the rank of the solution with these values of the choices' variables.
   std::int64_t rank(Assignment& assignment) const { return assignment.value(objective_)->i; }
   /// As of a solution that is no near miss: 0.
   std::int64_t miss(Assignment& assignment) const { return relax_ ? assignment.value(miss_)->i : 0; }

@@ -68,7 +68,16 @@ std::size_t ConditionSolver::inexpressible() {
   const auto& program_errors = solver_.trace().program_errors;
   return static_cast<std::size_t>(
       std::count_if(program_errors.begin(), program_errors.end(),
-                    [](const TraceProgramError& mistake) { return !mistake.of_program; }));
+                    [](const TraceProgramError& error) { return !error.of_program; }));
+}
+
+std::optional<OverFull> ConditionSolver::over_full(const Conditions& conditions) {
+  std::vector<NodeId> nodes;
+  for (const TracedCondition& each : all()) {
+    if (conditions.count(each.condition) != 0) nodes.push_back(each.holds);
+  }
+  std::vector<OverFull> found = find_over_full(graph_, nodes);
+  return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
 }
 
 std::set<AddressId> ConditionSolver::choices_below(const Conditions& conditions) {

@@ -3,12 +3,13 @@
 
 #include "engines/solve/conditions.h"
 #include "engines/solve/execution_solver.h"
+#include "engines/solve/over_full.h"
 
 namespace solitaire {
 
 /// Asks which conditions of a program can hold together. A condition that is left out is one that executions
 /// may break: they go on past a broken assert or a choice outside of its range, and end where a list has no
-/// element or nothing is there to choose from. They also end where they come to a mistake of the program or
+/// element or nothing is there to choose from. They also end where they come to an error of the program or
 /// to what a pass cannot express, or run for long: its asserts may be there to keep them from that.
 class ConditionSolver {
  public:
@@ -20,18 +21,20 @@ class ConditionSolver {
   ConditionSolver(const Program& program, const ParamValues& params, const TracingOptions& options,
                   Choices& choices, AddressTable& addresses, Pins& pins);
 
-  /// All conditions that have been met so far. Throws Interrupted.
+  /// Returns all conditions that have been met so far. Throws Interrupted.
   const std::vector<TracedCondition>& all();
   /// Asks whether those that are wanted can hold together, and with them `also`, a bool node of graph().
   Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr,
-               Ends ends = Ends::kMistakesAndCuts);
+               Ends ends = Ends::kErrorsAndCuts);
   Outcome find(const Conditions& wanted);
   /// Returns true if no path is left that was not explored.
   bool is_explored() { return all(), solver_.trace().blockers.empty(); }
   /// Returns how often the newest pass met what it cannot express.
   std::size_t inexpressible();
-  /// After kNone: returns those of the wanted ones that cannot hold together, and one of several that mean
-  /// the same.
+  /// Returns things that need more room than there is, if the conditions say that there are such.
+  std::optional<OverFull> over_full(const Conditions& conditions);
+  /// Returns wanted conditions that cannot hold together; of several that mean the same, only one. For use
+  /// after kNone.
   Conditions core();
   /// Returns the addresses of the choices that the conditions depend on.
   std::set<AddressId> choices_below(const Conditions& conditions);
@@ -44,7 +47,7 @@ class ConditionSolver {
   ExecutionSolver solver_;
   std::vector<TracedCondition> traced_;
   std::size_t traced_pass_ = 0;
-  std::vector<std::pair<NodeId, const Condition*>> asked_;  // by the last find
+  std::vector<std::pair<NodeId, const Condition*>> asked_;  // what the last find() asked for
 };
 
 }  // namespace solitaire

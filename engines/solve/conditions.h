@@ -12,13 +12,13 @@ namespace solitaire {
 /// A single condition of a program, as its author sees it: a conjunct of an assert, an end of a choice's
 /// range, a list that must have an element, or a pin; at one address, so of one call and loop turn.
 struct Condition {
-  ConstraintKind requirement = ConstraintKind::kAssert;  // of a pin: none
+  ConstraintKind requirement = ConstraintKind::kAssert;  // means nothing for a pin
   AddressId address;
   Span span;
-  Span whole;           // of an assert: the whole condition
+  Span whole;           // the whole condition of an assert
   std::string message;  // the author's, or ""
   const Pin* pin = nullptr;
-  std::optional<Distribution> domain;  // the choice's: of a pin, and of an end that depends on no choice
+  std::optional<Distribution> domain;  // the choice's; for pins, and for ends that depend on no choice
 
   /// Two conditions are equal if they are the same one in every pass, whatever is known about them.
   friend bool operator==(const Condition& a, const Condition& b) { return a.key() == b.key(); }
@@ -37,7 +37,7 @@ bool is_end(ConstraintKind requirement);
 struct TracedCondition {
   Condition condition;
   NodeId holds = kTrue;
-  NodeId met = kFalse;  // whether an execution comes to it
+  NodeId met = kFalse;  // holds in executions that come to it
 };
 
 /// Returns all conditions of a trace whose asserts are taken apart, each once, in the order of the program's

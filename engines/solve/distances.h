@@ -13,7 +13,7 @@ class Distances {
  public:
   Distances(ExecutionSolver& solver, const DistanceBound& bound) : solver_(solver), bound_(bound) {}
 
-  /// From now on solutions keep away from this one.
+  /// Adds a solution from which the next ones keep away.
   void keep_away_from(Valuation solution);
   /// Returns true if the model is too near to some solution; then the solver was told of these, and has to be
   /// asked again.

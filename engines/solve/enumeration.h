@@ -17,7 +17,7 @@ class Enumeration {
   using Outcome = Enumerator::Outcome;
   /// Goes to the next solution. Any outcome but kFound is the last.
   Outcome next(const StopSignal& stop) { return enumerator_->next(stop); }
-  /// After kFound: the values of the choices' variables.
+  /// Returns the values of the choices' variables. For use after kFound.
   Assignment assignment() const;
   /// Returns the conditions by which solutions that look like others were left out.
   const std::vector<NodeId>& left_out() const { return symmetry_breaking_; }

@@ -35,7 +35,7 @@ class Exclusion {
  private:
   struct Known {
     Valuation values;
-    /// What the solver was told last: one of them holds. Nothing while it does not know the solution.
+    /// The clause of which the solver was told last, or nothing while it does not know the solution.
     std::optional<std::vector<NodeId>> differs;
   };
 

@@ -6,6 +6,8 @@
 
 #include "engines/errors.h"
 #include "engines/random_choices.h"
+#include "engines/solve/over_full.h"
+#include "engines/tuning.h"
 
 namespace solitaire {
 
@@ -43,6 +45,9 @@ void ExecutionSolver::sync() {
   if (synced_pass_ == explorer_.passes()) return;
   synced_pass_ = explorer_.passes();
   const Stopwatch watch(times_.encode);
+  // First, so that what takes part gets variables of its own, and the clause is broken as soon as they are
+  // true.
+  if (!options_.method->asserts_closed_sides()) tell_over_full();
   for (const Term& term : trace().hard_terms) {
     if (!firm_(term)) continue;
     const NodeId required = graph_.implication(term.guard, term.node);
@@ -50,6 +55,18 @@ void ExecutionSolver::sync() {
   }
   if (!options_.method->asserts_closed_sides()) return;
   for (const TraceBlocker& blocker : trace().blockers) require(graph_.negation(blocker.guard));
+}
+
+/// Tells the solver which conditions cannot hold together since there is too little room, which it would find
+/// out in very many steps, or never. These clauses are true of all ints, whatever is required.
+void ExecutionSolver::tell_over_full() {
+  std::vector<NodeId> conditions;
+  for (const Term& term : trace().hard_terms) conditions.push_back(term.node);
+  for (const OverFull& found : find_over_full(graph_, conditions)) {
+    std::vector<NodeId> clause;
+    for (const NodeId condition : found.conditions) clause.push_back(graph_.negation(condition));
+    solver_->add_clause(clause);
+  }
 }
 
 void ExecutionSolver::suggest_random_values(std::uint64_t index) {
@@ -72,7 +89,7 @@ std::vector<NodeId> ExecutionSolver::closed_sides(Ends ends) const {
   std::vector<NodeId> closed;
   if (options_.method->asserts_closed_sides()) return closed;
   for (const TraceBlocker& blocker : trace().blockers) {
-    if (ends == Ends::kMistakesAndCuts && blocker.side.kind == BranchSide::Kind::kCut) continue;
+    if (ends == Ends::kErrorsAndCuts && blocker.side.kind == BranchSide::Kind::kCut) continue;
     closed.push_back(graph_.negation(blocker.guard));
   }
   return closed;
@@ -89,17 +106,18 @@ Verdict ExecutionSolver::check(std::vector<NodeId> assumptions) {
 }
 
 ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions, Ends ends) {
-  const auto without_mistakes = [&] {
+  const auto without_errors = [&] {
     std::vector<NodeId> all = conditions();
     if (ends != Ends::kNone) return all;
-    for (const TraceProgramError& mistake : trace().program_errors)
-      all.push_back(graph_.negation(mistake.guard));
+    for (const TraceProgramError& error : trace().program_errors) all.push_back(graph_.negation(error.guard));
     return all;
   };
-  while (true) {
-    const Outcome outcome = find_explored(without_mistakes, ends);
+  for (std::uint64_t opened = 0;; ++opened) {
+    const Outcome outcome = find_explored(without_errors, ends);
     if (outcome != Outcome::kNone) return outcome;
-    const std::vector<std::size_t> in_the_way = blockers_in_core();
+    std::vector<std::size_t> in_the_way = blockers_in_core();
+    if (!in_the_way.empty() && opened >= tuning::kRoundsBeforeDoubt)
+      in_the_way = blockers_reached(without_errors).value_or(in_the_way);
     if (in_the_way.empty()) {
       if (options_.method->asserts_closed_sides() && !trace().blockers.empty()) return Outcome::kUnexplored;
       return solver_->exact() ? Outcome::kNone : Outcome::kWrapped;
@@ -141,6 +159,26 @@ std::vector<std::size_t> ExecutionSolver::blockers_in_core() const {
   return blockers;
 }
 
+/// Returns the blockers to which some execution comes that fulfils the conditions, none if there is no such
+/// execution, or nothing if a limit came first. A core can name blockers that no execution reaches, and one
+/// could open such sides of a recursion for ever.
+std::optional<std::vector<std::size_t>> ExecutionSolver::blockers_reached(const Conditions& conditions) {
+  switch (check(conditions())) {
+    case Verdict::kStopped:
+      return std::nullopt;
+    case Verdict::kUnsatisfiable:
+      return std::vector<std::size_t>{};
+    case Verdict::kSatisfiable:
+      break;
+  }
+  Assignment model = assignment();
+  std::vector<std::size_t> reached;
+  for (std::size_t i = 0; i < trace().blockers.size(); ++i) {
+    if (model.holds(trace().blockers[i].guard)) reached.push_back(i);
+  }
+  return reached;
+}
+
 bool ExecutionSolver::open(const std::vector<std::size_t>& blockers) {
   {
     const Stopwatch watch(times_.explore);
@@ -154,20 +192,10 @@ bool ExecutionSolver::explore_fully(std::size_t most_passes) {
   explore();
   for (std::size_t pass = 0; !trace().blockers.empty(); ++pass) {
     if (pass == most_passes) return false;
-    switch (check({unexplored()})) {
-      case Verdict::kUnsatisfiable:
-        return true;
-      case Verdict::kStopped:
-        throw Interrupted{};
-      case Verdict::kSatisfiable:
-        break;
-    }
-    Assignment model = assignment();
-    std::vector<std::size_t> reached;
-    for (std::size_t i = 0; i < trace().blockers.size(); ++i) {
-      if (model.holds(trace().blockers[i].guard)) reached.push_back(i);
-    }
-    if (!open(reached)) return false;
+    const auto reached = blockers_reached([this] { return std::vector{unexplored()}; });
+    if (!reached) throw Interrupted{};
+    if (reached->empty()) return true;
+    if (!open(*reached)) return false;
   }
   return true;
 }

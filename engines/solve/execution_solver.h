@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -56,41 +57,41 @@ class ExecutionSolver {
   /// Makes conditions that depend on the newest pass. They may only say what a longer execution that begins
   /// like one of the trace cannot undo, as a broken assert is; or else they hold where unexplored() does.
   using Conditions = std::function<std::vector<NodeId>()>;
-  /// Where an execution may end, and still be found, but at the end of the program: at a mistake, or what a
-  /// pass cannot express; and where its path was cut, since it runs for long.
-  enum class Ends : std::uint8_t { kNone, kMistakes, kMistakesAndCuts };
+  /// Says where an execution that is found may end, beside the end of the program: at an error, or at what a
+  /// pass cannot express; and, with kErrorsAndCuts, also where its path was cut since it runs for long.
+  enum class Ends : std::uint8_t { kNone, kErrors, kErrorsAndCuts };
   /// Looks for an execution that fulfils the conditions. They are asked for again after each further pass.
   Outcome find(const Conditions& conditions, Ends ends = Ends::kNone);
   /// Looks for an execution on the paths explored so far that fulfils the conditions. It may come to
-  /// mistakes.
+  /// errors.
   Outcome find_explored(const Conditions& conditions, Ends ends = Ends::kNone);
 
-  /// From now on one of the conditions holds.
+  /// Requires that at least one of the conditions holds.
   void add_clause(std::span<const NodeId> conditions) { solver_->add_clause(conditions); }
   /// Adds a condition by itself, if it says anything.
   void require(NodeId condition) {
     if (condition != kTrue) solver_->add_clause({&condition, 1});
   }
-  /// Has the next search start from random values of the choices: it then ends at a solution near them, and
-  /// not near the last one. What is found depends on the index.
+  /// Makes the next search start from random values of the choices, so that it ends at a solution near them
+  /// and not near the last one. The values depend on the seed and the index.
   void suggest_random_values(std::uint64_t index);
 
-  /// Has searches give up after so many conflicts, as if a limit had come; 0: never.
+  /// Makes searches give up after so many conflicts, as if a limit had come. With 0 they never do.
   void limit_effort(std::uint64_t conflicts) { solver_->limit_effort(conflicts); }
 
-  /// The condition that an execution leaves the paths that were explored: what the trace says of it then is
-  /// not all.
+  /// Returns the condition that an execution leaves the explored paths. The trace does not say all about such
+  /// an execution.
   NodeId unexplored();
 
-  /// As Solver::exact.
+  /// Returns true if the solver's ints are exact, see Solver::exact.
   bool exact() const { return solver_->exact(); }
 
-  /// After kFound: the values of the choices' variables.
+  /// Returns the values of the choices' variables. For use after kFound.
   Assignment assignment();
   /// Returns the choices that an execution with these values of the variables meets. Throws InternalError if
   /// two of them share an address.
   TracedChoices met(Assignment& assignment) const;
-  /// After kNone: the conditions in the core.
+  /// Returns the conditions in the core. For use after kNone.
   const std::vector<NodeId>& core() const { return core_; }
 
   Graph& graph() { return graph_; }
@@ -103,10 +104,12 @@ class ExecutionSolver {
 
  private:
   void sync();
+  void tell_over_full();
   std::vector<NodeId> closed_sides(Ends ends) const;
   Verdict check(std::vector<NodeId> assumptions);
   std::vector<std::size_t> blockers_in_core() const;
   bool open(const std::vector<std::size_t>& blockers);
+  std::optional<std::vector<std::size_t>> blockers_reached(const Conditions& conditions);
 
   Graph& graph_;
   AddressTable& addresses_;

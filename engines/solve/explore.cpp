@@ -16,10 +16,10 @@ class Explorer::OpenSides : public Branches {
     }
   };
 
-  std::uint32_t levels = 0;                                        // that a pass starts with
+  std::uint32_t levels = 0;                                        // the levels with which a pass starts
   std::size_t most_unasked = 0;                                    // sides that a pass may open by level
   std::size_t unasked = 0;                                         // those that the current pass did
-  std::unordered_map<BranchSide, std::uint32_t, SideHash> opened;  // with the levels below each
+  std::unordered_map<BranchSide, std::uint32_t, SideHash> opened;  // and the levels below each
 
   std::optional<std::uint32_t> open(const BranchSide& side, std::uint32_t left) override {
     const auto it = opened.find(side);
@@ -87,7 +87,7 @@ void Explorer::open_random_sides() {
     try {
       executor.run(choices);
     } catch (const ProgramError&) {
-      // The sides up to the mistake are open now; whether it can be reached is the solver's question.
+      // The sides up to the error are open now. The solver decides whether it can be reached.
     }
   }
 }

@@ -8,7 +8,7 @@
 
 namespace solitaire {
 
-/// Which executions the trace graph is to cover.
+/// Says which executions the trace graph is to cover.
 struct Exploration {
   enum class Policy : std::uint8_t { kDemand, kRandom };
   Policy policy = Policy::kDemand;

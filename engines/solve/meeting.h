@@ -6,8 +6,8 @@
 
 namespace solitaire {
 
-/// For each choice variable of a trace, by its number, the condition under which an execution meets a choice
-/// that it stands for.
+/// Maps the number of each choice variable of a trace to the condition under which an execution meets a
+/// choice that the variable stands for.
 using MeetingConditions = std::map<std::size_t, NodeId>;
 MeetingConditions meeting_conditions(Graph& graph, const Trace& trace);
 

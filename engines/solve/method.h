@@ -10,7 +10,7 @@
 
 namespace solitaire {
 
-/// What a method's solver is made with.
+/// The options of a method's solver.
 struct SolverOptions {
   std::uint64_t seed = 0;
   bool diverse = true;     // models differ much, at some cost in speed

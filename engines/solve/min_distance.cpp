@@ -31,8 +31,8 @@ bool DistanceBound::reached(const Overlap& overlap) const {
 }
 
 NodeId far_from(Graph& graph, const Trace& trace, const Valuation& solution, const DistanceBound& bound) {
-  // By address: the condition that an execution has the solution's value there, for addresses of the
-  // solution; and the condition that an execution comes there, for other addresses.
+  // `shared` maps each address of the solution to the condition that an execution has the solution's value
+  // there. `extra` maps each other address to the condition that an execution comes there.
   std::map<AddressId, NodeId> shared, extra;
   for (const TraceChoice& choice : trace.choices) {
     const auto known = solution.find(choice.address);

@@ -11,14 +11,15 @@
 
 namespace solitaire {
 
-/// What is to be known of the things that a solution places into the scene.
+/// Says how much is to be known of the things that a solution places into the scene.
 enum class SceneDetail : std::uint8_t {
   kNone,        // nothing
   kPlacements,  // what they are, and where
   kProvenance,  // and the choices on which that depends
 };
 
-/// Which solutions are run again after they were found, which checks that the program accepts them.
+/// Says which solutions are run again after they were found. A run checks that the program accepts the
+/// solution.
 enum class Replay : std::uint8_t {
   kEvery,
   /// The first solution and those with the numbers 16, 256, 4096, ... are run. The others are read off the
@@ -26,7 +27,7 @@ enum class Replay : std::uint8_t {
   kSome,
 };
 
-/// How an engine looks for solutions of a program by its trace graph.
+/// The options of engines that look for solutions of a program by its trace graph.
 struct TracingOptions {
   Exploration exploration;
   const SearchMethod* method = &cadical_method();
@@ -46,7 +47,7 @@ struct TracingOptions {
   std::uint64_t effort = 0;    // conflicts after which the solver gives a question up; 0: none
   Limits limits;               // of one execution; its stop signal ends the work
 
-  /// The same, by a method whose answers are proofs.
+  /// Returns the same options with a method whose answers are proofs.
   TracingOptions exact() const {
     TracingOptions options = *this;
     options.method = &method->exact();

@@ -52,11 +52,35 @@ UnmatchedPin error_of(const Pin& pin, const std::vector<AddressId>& choices, con
                                   nearest.size() == 1 ? "is" : "are", fmt::join(nearest, ", ")));
 }
 
+const char* name_of(Type type) {
+  switch (type) {
+    case Type::kBool:
+      return "a bool";
+    case Type::kInt:
+      return "an int";
+    case Type::kFloat:
+      break;
+  }
+  return "a float";
+}
+
+/// Throws UnmatchedPin for a choice that is pinned to what no value of its type is.
+void check_types(Pins& pins, ExecutionSolver& solver) {
+  for (const TraceChoice& choice : solver.trace().choices) {
+    const Pin* pin = pins.fixing(choice.address);
+    if (pin == nullptr || converted(pin->value, choice.domain.type())) continue;
+    throw UnmatchedPin(fmt::format("{}: {} is {}", pin->source, solver.addresses().text(choice.address),
+                                   name_of(choice.domain.type())));
+  }
+}
+
 }  // namespace
 
 void check_pins(Pins& pins, ExecutionSolver& solver, const Program& program, const ParamValues& params,
                 const TracingOptions& options) {
-  if (pins.empty() || unmatched_pins(pins, solver.trace()).empty()) return;
+  if (pins.empty()) return;
+  check_types(pins, solver);
+  if (unmatched_pins(pins, solver.trace()).empty()) return;
   solver.explore_fully(tuning::kPassesForPins);
   if (unmatched_pins(pins, solver.trace()).empty()) return;
   const std::vector<AddressId> choices = all_choices(program, params, options, solver.addresses());

@@ -4,10 +4,10 @@
 
 namespace solitaire {
 
-/// Checks that every pin matches a choice of the program; one that does not is a mistake of the user's. A
-/// choice that no execution meets, since another pin or an assert keeps executions from it, is one of the
-/// program: its pin plays no part. For pins of choices on paths that are not explored yet, some more passes
-/// are run. Throws UnmatchedPin and Interrupted.
+/// Checks that every pin matches a choice of the program, and that no choice is pinned to a value of another
+/// type. A choice that no execution meets, since another pin or an assert keeps executions from it, is one of
+/// the program: its pin plays no part. For pins of choices on paths that are not explored yet, some more
+/// passes are run. Throws UnmatchedPin and Interrupted.
 void check_pins(Pins& pins, ExecutionSolver& solver, const Program& program, const ParamValues& params,
                 const TracingOptions& options);
 

@@ -2,38 +2,51 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unordered_set>
 
 #include "base/nearest_name.h"
 
 namespace solitaire {
 
-const std::vector<const Pin*>& Pins::at(AddressId address) {
-  const auto [it, added] = matches_.try_emplace(address);
-  if (added && !pins_.empty()) {
-    const std::vector<std::string> steps = addresses_.steps(address);
-    for (const Pin& pin : pins_) {
-      if (pin.pattern.matches(steps)) it->second.push_back(&pin);
-    }
-  }
-  return it->second;
+Pins::Pins(std::vector<Pin> pins, const AddressTable& addresses)
+    : pins_(std::move(pins)), addresses_(addresses) {
+  for (const Pin& pin : pins_)
+    (pin.pattern.is_exact() ? exact_[pin.pattern.text()] : patterns_).push_back(&pin);
 }
 
-std::optional<std::int64_t> Pins::value_at(AddressId address) {
-  if (pins_.empty()) return std::nullopt;
-  for (const Pin* pin : at(address)) {
-    if (!pin->forbidden) return pin->value;
+/// The pins of an address stay in the order in which they were given.
+const std::vector<const Pin*>& Pins::at(AddressId address) {
+  const auto [it, added] = matches_.try_emplace(address);
+  if (!added || pins_.empty()) return it->second;
+  std::vector<const Pin*>& matches = it->second;
+  const std::vector<std::string> steps = addresses_.steps(address);
+  const auto exact = exact_.find(fmt::format("{}", fmt::join(steps, "/")));
+  if (exact != exact_.end()) matches = exact->second;
+  for (const Pin* pin : patterns_) {
+    if (pin->pattern.matches(steps)) matches.push_back(pin);
   }
-  return std::nullopt;
+  std::sort(matches.begin(), matches.end());
+  return matches;
+}
+
+const Pin* Pins::fixing(AddressId address) {
+  if (pins_.empty()) return nullptr;
+  for (const Pin* pin : at(address)) {
+    if (!pin->forbidden) return pin;
+  }
+  return nullptr;
 }
 
 std::vector<const Pin*> Pins::unmatched(const std::vector<AddressId>& addresses) {
+  std::unordered_set<const Pin*> matched;
+  for (const AddressId address : addresses) {
+    const auto& pins = at(address);
+    matched.insert(pins.begin(), pins.end());
+  }
   std::vector<const Pin*> unmatched;
   for (const Pin& pin : pins_) {
-    const bool matched = std::any_of(addresses.begin(), addresses.end(), [&](AddressId address) {
-      const auto& pins = at(address);
-      return std::find(pins.begin(), pins.end(), &pin) != pins.end();
-    });
-    if (!matched) unmatched.push_back(&pin);
+    if (matched.count(&pin) == 0) unmatched.push_back(&pin);
   }
   return unmatched;
 }
@@ -59,12 +72,27 @@ std::vector<std::string> nearest_patterns(const AddressPattern& pattern,
   return nearest;
 }
 
+namespace {
+
+/// Returns the condition that a choice has that value.
+NodeId has_value(Graph& graph, const TraceChoice& choice, TypedScalar value) {
+  const auto fitting = converted(value, choice.domain.type());
+  if (!fitting) return kFalse;
+  // Where a family has no ends, nothing else says which values it has.
+  if (!choice.domain.is_finite() && !choice.domain.contains(*fitting)) return kFalse;
+  if (fitting->type() == Type::kFloat)
+    return graph.apply(Op::kEqFloat, {choice.variable, graph.constant(fitting->as_float())});
+  return graph.apply(Op::kEqInt, {choice.variable, graph.constant(fitting->as_int())});
+}
+
+}  // namespace
+
 std::vector<PinnedChoice> pinned_choices(Graph& graph, const Trace& trace, Pins& pins) {
   std::vector<PinnedChoice> pinned;
   if (pins.empty()) return pinned;
   for (const TraceChoice& choice : trace.choices) {
     for (const Pin* pin : pins.at(choice.address)) {
-      const NodeId equal = graph.apply(Op::kEqInt, {choice.variable, graph.constant(pin->value)});
+      const NodeId equal = has_value(graph, choice, pin->value);
       const NodeId wanted = pin->forbidden ? graph.negation(equal) : equal;
       pinned.push_back({pin, &choice, graph.implication(choice.guard, wanted)});
     }

@@ -6,34 +6,41 @@
 
 #include "solitaire/run/choices.h"
 #include "tracegraph/address_pattern.h"
+#include "tracegraph/scalar.h"
 
 namespace solitaire {
 
 /// A value that the user fixes, or rules out, for the choices whose addresses match a pattern.
 struct Pin {
   AddressPattern pattern;
-  std::int64_t value = 0;  // a bool as 0 or 1
+  TypedScalar value;
   bool forbidden = false;  // the choices must not have the value, rather than have it
   std::string source;      // how the user said it, for messages: "--pin 'x=3'"
 };
 
 /// Knows which pins hold for which choices.
+///
+/// Most pins name one address, such as those of a solution's file. They are found by its text, so that the
+/// time for a choice does not depend on how many there are. Only patterns are tried one by one.
 class Pins {
  public:
-  Pins(std::vector<Pin> pins, const AddressTable& addresses)
-      : pins_(std::move(pins)), addresses_(addresses) {}
+  Pins(std::vector<Pin> pins, const AddressTable& addresses);
+  Pins(const Pins&) = delete;
+  Pins& operator=(const Pins&) = delete;
 
   bool empty() const { return pins_.empty(); }
   /// Returns the pins that match the address.
   const std::vector<const Pin*>& at(AddressId address);
-  /// Returns what a choice is pinned to, by the first pin that matches.
-  std::optional<std::int64_t> value_at(AddressId address);
+  /// Returns the first pin that matches and does not forbid a value, or null.
+  const Pin* fixing(AddressId address);
   /// Returns the pins that match none of the addresses.
   std::vector<const Pin*> unmatched(const std::vector<AddressId>& addresses);
 
  private:
   std::vector<Pin> pins_;
   const AddressTable& addresses_;
+  std::unordered_map<std::string, std::vector<const Pin*>> exact_;  // pins of one address, by its text
+  std::vector<const Pin*> patterns_;                                // all other pins
   std::unordered_map<AddressId, std::vector<const Pin*>> matches_;
 };
 
@@ -43,7 +50,7 @@ std::vector<std::string> nearest_patterns(const AddressPattern& pattern,
                                           const std::vector<std::vector<std::string>>& addresses,
                                           std::size_t count);
 
-/// What a pin requires of a choice that it matches.
+/// A choice with a pin that matches it, and the condition that the pin is kept.
 struct PinnedChoice {
   const Pin* pin;
   const TraceChoice* choice;
@@ -52,14 +59,14 @@ struct PinnedChoice {
 /// Returns what the pins require of the choices of a trace.
 std::vector<PinnedChoice> pinned_choices(Graph& graph, const Trace& trace, Pins& pins);
 
-/// Answers choices with what they are pinned to, and leaves the others open.
+/// Answers choices with what they are pinned to, and leaves open the others and those of another type than
+/// their pin.
 class PinnedChoices : public Choices {
  public:
   explicit PinnedChoices(Pins& pins) : pins_(pins) {}
   std::optional<TypedScalar> answer(AddressId address, const Distribution& domain) override {
-    const auto value = pins_.value_at(address);
-    if (!value) return std::nullopt;
-    return domain.typed(*value);
+    const Pin* pin = pins_.fixing(address);
+    return pin == nullptr ? std::nullopt : converted(pin->value, domain.type());
   }
 
  private:

@@ -12,18 +12,6 @@ namespace {
 
 using Outcome = ExecutionSolver::Outcome;
 
-std::string text_of(TypedScalar value) {
-  switch (value.type()) {
-    case Type::kBool:
-      return value.as_int() != 0 ? "true" : "false";
-    case Type::kInt:
-      return fmt::to_string(value.as_int());
-    case Type::kFloat:
-      break;
-  }
-  return float_text(value.as_float());
-}
-
 }  // namespace
 
 void ProgramErrors::report_reachable() {
@@ -33,7 +21,7 @@ void ProgramErrors::report_reachable() {
   for (const TraceProgramError& error : trace.program_errors)
     any = solver_.graph().disjunction(any, error.guard);
   const Outcome outcome = solver_.find_explored([&] { return std::vector{any}; });
-  if (outcome != Outcome::kFound || !solver_.exact()) return;  // wrapped ints come to it, perhaps
+  if (outcome != Outcome::kFound || !solver_.exact()) return;  // perhaps only since ints wrapped
   Assignment assignment = solver_.assignment();
   const auto met = std::ranges::find_if(
       trace.program_errors, [&](const TraceProgramError& error) { return assignment.holds(error.guard); });
@@ -93,7 +81,7 @@ std::string ProgramErrors::leading_choices(const TraceProgramError& error, const
     const AddressId address = solver_.graph().variables()[number].address;
     const auto value = values.find(address);
     if (value != values.end())
-      choices.push_back(fmt::format("{} = {}", solver_.addresses().text(address), text_of(value->second)));
+      choices.push_back(fmt::format("{} = {}", solver_.addresses().text(address), to_text(value->second)));
   }
   return choices.empty() ? "whatever is chosen" : fmt::format("where {}", fmt::join(choices, ", "));
 }

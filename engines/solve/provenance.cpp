@@ -46,7 +46,7 @@ void Provenance::add_object_choices(Solution& solution) {
     ChosenValues& choices = object->second->choices;
     for (const std::size_t number : variables_below(solver_.graph(), placed.depends)) {
       const auto choice = met.find(addresses.text(solver_.graph().variables()[number].address));
-      if (choice == met.end()) continue;  // of a path that this execution does not take
+      if (choice == met.end()) continue;  // the execution does not take the choice's path
       if (std::ranges::find(choices, *choice->second) == choices.end()) choices.push_back(*choice->second);
     }
   }

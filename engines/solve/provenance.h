@@ -34,7 +34,7 @@ class Provenance {
   TracingOptions options_;
   Pins& pins_;
   ExecutionSolver& solver_;
-  std::unique_ptr<WideTrace> wide_;  // once it is needed
+  std::unique_ptr<WideTrace> wide_;  // made when it is first needed
 };
 
 }  // namespace solitaire

@@ -87,18 +87,17 @@ void Series::start(const Block& block) {
   }
 }
 
-/// Returns true if there is more than one block to work on, and workers for them.
+/// Returns true if there is more than one block to work on, and may be more than one search.
 bool Series::in_background() const {
-  return manner_ == Manner::kBlocks && options_.workers.size() > 1 &&
+  return manner_ == Manner::kBlocks && options_.jobs > 1 &&
          (options_.most == 0 || options_.most > size(0, 0));
 }
 
-/// Starts as many searches as there are workers, of the blocks from the present one on. Where there are no
+/// Starts as many searches as there may be, of the blocks from the present one on. Where there are no
 /// threads for them, fewer have to do, or the thread that asks does all.
 void Series::start_searches() {
   try {
-    while (in_background() &&
-           searches_.size() < std::min(options_.workers.size(), tuning::kUnknownBlocks + 1)) {
+    while (in_background() && searches_.size() < std::min(options_.jobs, tuning::kUnknownBlocks + 1)) {
       const Block block = searches_.empty() ? block_ : block_after(searches_.back().first);
       const bool needed = options_.most == 0 || block.start < options_.most || searches_.empty();
       if (!needed) return;
@@ -106,21 +105,17 @@ void Series::start_searches() {
     }
   } catch (const std::system_error&) {
     if (!searches_.empty()) return;
-    options_.workers.clear();
+    options_.jobs = 1;
     start(block_);
   }
 }
 
 std::unique_ptr<BackgroundSearch> Series::search(const Block& block) const {
-  const auto idle =
-      std::find_if(options_.workers.begin(), options_.workers.end(), [this](const auto& worker) {
-        return std::none_of(searches_.begin(), searches_.end(),
-                            [&](const auto& search) { return search.second->program() == worker; });
-      });
   const auto known = solutions_.begin() + static_cast<std::ptrdiff_t>(known_to(block));
   const std::size_t end = options_.most == 0 ? block.end : std::min<std::size_t>(block.end, options_.most);
   return std::make_unique<BackgroundSearch>(
-      *idle, tracing_, block.start, std::vector(solutions_.begin(), known), end - std::min(end, block.start));
+      program_, options_.make_params ? options_.make_params() : ParamValues{}, tracing_, block.start,
+      std::vector(solutions_.begin(), known), end - std::min(end, block.start));
 }
 
 std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {

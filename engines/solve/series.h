@@ -16,10 +16,12 @@ namespace solitaire {
 
 struct SeriesOptions {
   bool distinct_results = false;  // leave out solutions that look like earlier ones
-  std::uint64_t most = 0;         // that will be asked for; 0: nobody knows
-  /// Programs of the same text and params, one for each search that may be at work beside others. None: all
-  /// is done on the thread that asks.
-  std::vector<std::shared_ptr<const OwnProgram>> workers;
+  std::uint64_t most = 0;         // so many will be asked for at most; 0: nobody knows
+  /// How many searches may be at work beside each other, on threads of their own. With 1, all is done on the
+  /// thread that asks.
+  std::size_t jobs = 1;
+  /// Makes values of the params that nobody else holds, as each thread needs them. Null if there are none.
+  std::function<ParamValues()> make_params;
 };
 
 /// The solutions that TracingEngines find, block by block. Each block has an engine of its own, and a stream
@@ -80,13 +82,13 @@ class Series : public SolutionStream,
   std::unique_ptr<TracingEngine> engine_;  // of the block, if that is not worked on in the background
   std::deque<std::pair<Block, std::unique_ptr<BackgroundSearch>>>
       searches_;            // the block's, and of the next ones
-  EngineTimes past_times_;  // of engines and searches that are over
+  EngineTimes past_times_;  // what finished engines and searches took
   std::function<void(const Solution&)> told_;
   Block block_;
   DistinctResults results_;
-  std::unordered_set<std::string> choices_;  // of all solutions
+  std::unordered_set<std::string> choices_;  // of all solutions so far
   std::vector<ChosenValues> solutions_;
-  std::deque<ChosenValues> to_repeat_;  // of the block, came already
+  std::deque<ChosenValues> to_repeat_;  // solutions of the block that came already
   std::atomic<std::uint64_t> alike_ = 0;
   Ending ending_ = Ending::kNone;
 };

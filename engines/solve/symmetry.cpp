@@ -91,7 +91,7 @@ std::span<const Value> look_arguments(const SymbolicPlacement& placement) {
   return all.first(std::min(all.size(), kLookArguments));
 }
 
-/// What a program requires, returns and shows, as text in terms of shapes.
+/// Describes what a program requires, returns and shows, as text in terms of shapes.
 class Meaning {
  public:
   Meaning(const SymbolicPass& pass, const std::vector<NodeId>& conditions)

@@ -35,7 +35,7 @@ class TracedProgram {
   /// Looks for errors of the program in what is explored by then. Returns false if a limit came first.
   /// Throws ProgramError and UnmatchedPin.
   bool check();
-  /// As ProgramErrors::find_all.
+  /// Finds all errors that executions can come to, see ProgramErrors::find_all.
   std::vector<Diagnostic> find_errors(bool* complete) { return errors_.find_all(complete); }
 
   /// Returns all that holds in every solution on any path; with `closed`, in those on explored paths.
@@ -52,6 +52,7 @@ class TracedProgram {
   Graph& graph() { return graph_; }
   const Graph& graph() const { return graph_; }
   AddressTable& addresses() { return addresses_; }
+  const AddressTable& addresses() const { return addresses_; }
   const SymbolicPass& pass() const { return solver_.pass(); }
   const Trace& trace() const { return solver_.trace(); }
   const EngineTimes& times() const { return solver_.times(); }

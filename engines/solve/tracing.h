@@ -30,21 +30,21 @@ class TracingEngine : public SolutionStream,
   TracingEngine(const Program& program, ParamValues params, const TracingOptions& options,
                 std::uint64_t first = 0);
 
-  /// As SolutionStream::next. Where a limit comes while a solution is made better, it is returned as it is.
-  /// Throws UnmatchedPin, too.
+  /// Returns the next solution, see SolutionStream::next. If a limit comes while a solution is made better,
+  /// it is returned as it is. Throws UnmatchedPin, too.
   std::optional<Solution> next() override;
   Ending ending() const override { return ending_; }
   void on_improvement(std::function<void(const Solution&)> told) override { told_ = std::move(told); }
   void explore() override { traced_.explore(); }
   std::size_t graph_size() const override { return traced_.graph().size(); }
-  /// All that holds in the solutions that are left, on the paths explored so far; on any path, once it is
-  /// proved that there are none.
+  /// Returns all that holds in the solutions that are left. This is about the paths explored so far or, once
+  /// it is proved that no solution is left, about all paths.
   Formula formula_of_rest() override;
   EngineTimes times() const override { return traced_.times(); }
 
   /// Keeps a solution that is known from before from being found.
   void exclude(const ChosenValues& choices) { remember(addressed(choices)); }
-  /// From now on solutions are at least TracingOptions::min_distance from this one.
+  /// Adds a solution from which the next ones are at least TracingOptions::min_distance away.
   void keep_away_from(const ChosenValues& choices) { distances_.keep_away_from(addressed(choices)); }
   /// Makes a known solution. Throws NotASolution and Interrupted.
   Solution run(const ChosenValues& choices) { return traced_.solution(traced_.execution(choices)); }
@@ -72,7 +72,7 @@ class TracingEngine : public SolutionStream,
   std::unique_ptr<Enumeration> enumeration_;  // while it is what finds solutions
   bool may_enumerate_;
   std::size_t met_pass_ = 0;
-  std::uint64_t number_;  // of the next solution, which its random values depend on
+  std::uint64_t number_;  // of the next solution; its random values depend on it
   std::function<void(const Solution&)> told_;
   Ending ending_ = Ending::kNone;
 };

@@ -1,36 +1,51 @@
 #include "smt/cdcl/choice_search.h"
 
-#include <cstdint>
+#include <cstdlib>
 
 namespace solitaire {
 
 void ChoiceSearch::add(std::span<const Literal> inputs, Cnf& cnf) {
+  catch_up();  // before the choice's inputs are known, so that none of them is counted twice
+  const auto choice = static_cast<std::uint32_t>(choices_.size());
   std::vector<int>& variables = choices_.emplace_back();
   for (const Literal input : inputs) {
     if (!is_constant(input)) variables.push_back(cnf.variable(input));
   }
   propagator_.reserve(cnf.variables());
+  choice_of_.resize(propagator_.variables(), kNoChoice);
+  open_.push_back(0);
+  for (const int variable : variables) {
+    choice_of_[static_cast<std::size_t>(variable)] = choice;
+    if (propagator_.is_open(variable)) count(variable, 1);
+  }
 }
 
-std::optional<std::size_t> ChoiceSearch::next() const {
-  std::size_t fewest = SIZE_MAX;
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < choices_.size() && fewest > 1; ++i) {
-    const std::size_t open = count_open(i, fewest);
-    if (open == 0 || open >= fewest) continue;
-    fewest = open;
-    best = i;
-  }
-  return best;
+std::optional<std::size_t> ChoiceSearch::next() {
+  catch_up();
+  if (fewest_open_.least() == Tournament::kOut) return std::nullopt;
+  return fewest_open_.first();
 }
 
-/// How many inputs of a choice are open, if there are fewer than that.
-std::size_t ChoiceSearch::count_open(std::size_t choice, std::size_t bound) const {
-  std::size_t open = 0;
-  for (const int input : choices_[choice]) {
-    if (propagator_.is_open(input) && ++open >= bound) break;
+/// Counts what the propagator has taken back and assigned since the last call.
+void ChoiceSearch::catch_up() {
+  const std::size_t kept = propagator_.take_kept();
+  for (std::size_t i = kept; i < counted_.size(); ++i) count(counted_[i], 1);
+  counted_.resize(kept);
+  for (const int literal : propagator_.trail().subspan(kept)) {
+    counted_.push_back(std::abs(literal));
+    count(counted_.back(), -1);
   }
-  return open;
+  for (const std::uint32_t choice : changed_)
+    fewest_open_.set(choice, open_[choice] == 0 ? Tournament::kOut : open_[choice]);
+  changed_.clear();
+}
+
+void ChoiceSearch::count(int variable, int opened) {
+  const auto at = static_cast<std::size_t>(variable);
+  if (at >= choice_of_.size() || choice_of_[at] == kNoChoice) return;
+  std::size_t& open = open_[choice_of_[at]];
+  open = opened > 0 ? open + 1 : open - 1;
+  changed_.push_back(choice_of_[at]);
 }
 
 bool ChoiceSearch::turn_back() {

@@ -21,7 +21,8 @@ void ConflictAnalysis::analyze(const Propagator& propagator) {
   decisions_ = propagator.level(std::abs(clause_[1]));
 }
 
-/// Replaces what was assigned since the last decision by its reasons, the latest first, until one is left.
+/// Replaces literals that were assigned since the last decision by their reasons, the latest first, until
+/// only one of them is left.
 void ConflictAnalysis::collect(const Propagator& propagator) {
   clause_.assign(1, 0);
   met_at_last_ = 0;
@@ -51,7 +52,7 @@ void ConflictAnalysis::meet(const Propagator& propagator, int falsified) {
   }
 }
 
-/// Leaves out what follows from what else is in the clause.
+/// Removes the literals that follow from the other literals of the clause.
 void ConflictAnalysis::shorten(const Propagator& propagator) {
   const auto redundant = [&](int literal) { return follows_from_others(propagator, literal); };
   clause_.erase(std::remove_if(clause_.begin() + 1, clause_.end(), redundant), clause_.end());

@@ -7,20 +7,20 @@
 
 namespace solitaire {
 
-/// What is to be learned from a conflict: a clause that the others imply and that, had it been known, would
-/// have assigned another value before it came to the conflict (the first unique implication point; Marques-
-/// Silva and Sakallah 1996, Zhang et al. 2001).
+/// Finds out what is to be learned from a conflict. That is a clause which follows from the others; had it
+/// been known, it would have assigned another value before the conflict was reached (the first unique
+/// implication point; Marques-Silva and Sakallah 1996, Zhang et al. 2001).
 class ConflictAnalysis {
  public:
-  /// After propagate() returned false with a decision made.
+  /// Analyzes the conflict of the last propagate(), which returned false while some decision was made.
   void analyze(const Propagator& propagator);
 
-  /// The clause, false as yet. Its first literal is the one that it will assign; of the others none was
-  /// assigned later than the second one.
+  /// Returns the learned clause, whose literals are all false at this time. Its first literal is the one that
+  /// it will assign. No other literal was assigned later than the second one.
   std::span<const int> clause() const { return clause_; }
-  /// How many decisions can be kept so that the clause assigns its first literal.
+  /// Returns how many decisions can be kept so that the clause assigns its first literal.
   std::size_t decisions() const { return decisions_; }
-  /// The variables that had a part in the conflict.
+  /// Returns the variables that had a part in the conflict.
   std::span<const int> variables() const { return met_; }
 
  private:

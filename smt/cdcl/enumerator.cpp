@@ -51,8 +51,9 @@ class Enumerator::Search {
   }
 
  private:
-  /// That a choice takes the lowest of its values; 0 if all are decided.
-  int next_decision() const {
+  /// Returns a literal that says that a choice takes the lowest of its values, or 0 if all choices are
+  /// decided.
+  int next_decision() {
     const auto choice = search_.next();
     if (!choice) return 0;
     const auto inputs = search_.inputs(*choice);
@@ -64,7 +65,7 @@ class Enumerator::Search {
   ChoiceSearch search_;
   Cnf cnf_;
   BitBlaster blaster_;
-  Outcome over_ = Outcome::kFound;  // until it is
+  Outcome over_ = Outcome::kFound;  // how the enumeration ended; kFound while it goes on
   bool at_model_ = false;
 };
 

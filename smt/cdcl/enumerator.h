@@ -6,10 +6,11 @@
 
 namespace solitaire {
 
-/// Goes through all values of the choices under which conditions hold, each once: depth first with unit
-/// propagation, and on to the next by turning the last decision round (chronological backtracking; Grumberg,
-/// Schuster and Yadgar 2004). It needs no clause for a model that it has left behind, so that nothing grows
-/// with their number. It learns nothing either: where a search is hard, it gives up.
+/// Goes through all values of the choices under which conditions hold, and gives each once. It searches depth
+/// first with unit propagation, and goes on to the next model by replacing the last decision by its negation
+/// (chronological backtracking; Grumberg, Schuster and Yadgar 2004). As it adds no clause against a model
+/// that it has left behind, nothing grows with their number. It learns nothing either, and gives up where the
+/// search is hard.
 class Enumerator {
  public:
   /// `choices` are the numbers of the variables whose values make models different; the conditions depend on
@@ -18,9 +19,9 @@ class Enumerator {
   ~Enumerator();
 
   enum class Outcome : std::uint8_t { kFound, kNone, kStopped, kTooHard };
-  /// The next model. An outcome but kFound is the last.
+  /// Looks for the next model. After an outcome other than kFound it must not be called again.
   Outcome next(const StopSignal& stop);
-  /// After kFound: the value of one of the choices.
+  /// Returns the value of one of the choices. For use after kFound.
   std::int64_t value(std::size_t variable) const;
 
  private:

@@ -80,7 +80,7 @@ bool NearbySearch::assume(std::span<const int> assumptions) {
   return true;
 }
 
-/// What succeeds is worth more effort the next time, what does not is worth less.
+/// A search that succeeded may take more conflicts the next time, and one that failed fewer.
 bool NearbySearch::search(const StopSignal& signal) {
   const std::size_t assumed = propagator_.decisions();
   const bool found = search_within(conflicts_, assumed, signal);
@@ -102,7 +102,7 @@ bool NearbySearch::search_within(std::uint64_t conflicts, std::size_t assumed, c
   return false;
 }
 
-/// From the last conflict; false if it follows from the assumptions alone.
+/// Learns from the last conflict. Returns false if that follows from the assumptions alone.
 bool NearbySearch::learn(std::size_t assumed) {
   if (propagator_.decisions() <= assumed) return false;
   analysis_.analyze(propagator_);
@@ -112,7 +112,7 @@ bool NearbySearch::learn(std::size_t assumed) {
   return true;
 }
 
-/// 0 if all choices are decided.
+/// Returns the literal to decide next, or 0 if all choices are decided.
 int NearbySearch::next_decision() {
   const int queued = queue_.first_open([this](int variable) { return propagator_.is_open(variable); });
   if (queued != 0) return wanted(queued);
@@ -122,8 +122,8 @@ int NearbySearch::next_decision() {
   return decision(*choice);
 }
 
-/// The input that leaves the fewest others open, as it is wanted: of an ordered choice one next to the value
-/// that is wanted.
+/// Returns the input of a choice to decide, as it is wanted, which leaves the fewest others open. Of a choice
+/// in order encoding it is one next to the wanted value.
 int NearbySearch::decision(std::size_t choice) const {
   int decided = 0;
   for (const int input : search_.inputs(choice)) {
@@ -132,13 +132,13 @@ int NearbySearch::decision(std::size_t choice) const {
   return wanted(decided);
 }
 
-/// Whether nothing is decided against the value that is wanted.
+/// Returns true if the wanted value of a choice is still possible.
 bool NearbySearch::is_left(std::size_t choice) const {
   return std::ranges::none_of(search_.inputs(choice),
                               [this](int input) { return propagator_.value(wanted(input)) < 0; });
 }
 
-/// Another value to want, of those that are left.
+/// Draws another value to want from those that are left.
 void NearbySearch::draw(std::size_t choice) {
   const std::span<const int> inputs = search_.inputs(choice);
   const auto open = static_cast<std::size_t>(

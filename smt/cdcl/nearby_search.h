@@ -14,17 +14,16 @@
 
 namespace solitaire {
 
-/// A search of its own for a model near suggested values of the choices. It goes depth first and learns a
-/// clause from each conflict (conflict-driven clause learning; Marques-Silva and Sakallah 1996).
+/// Searches for a model near suggested values of the choices, depth first, and learns a clause from each
+/// conflict (conflict-driven clause learning; Marques-Silva and Sakallah 1996).
 ///
-/// - It decides first what had a part in the last conflicts and, where nothing of that is left, the choice
-/// with
-///   the fewest values left. A choice gets the value that is suggested or, where that is ruled out, one of
-///   the values that are left, at random. What is decided again gets the value that it had before.
-/// - It takes the clauses as they stand, with none of the preparations of a solver for large formulas. So it
-///   needs a fraction of the time where models are many. Where they are few, it gives up, and sooner from
-///   time to time.
-/// - A model that it finds is one. That it finds none says nothing.
+/// - Variables that had a part in the last conflicts are decided first. When none of these is open, the
+///   choice with the fewest values left is next. It gets the suggested value or, if that is ruled out, one of
+///   the values that are left, at random. A variable that is decided again gets the value that it had before.
+/// - The clauses are used as they stand, without the preprocessing of solvers for large formulas. This takes
+///   a fraction of their time where there are many models. Where there are few, the search gives up, and
+///   after fewer conflicts each time.
+/// - Every model that it finds is one. That it finds none proves nothing.
 class NearbySearch {
  public:
   /// Searches in the clauses that were written into the propagator, for choices of the graph they come from.
@@ -43,8 +42,8 @@ class NearbySearch {
   /// Returns the value suggested last for a choice, if any.
   std::optional<std::int64_t> suggestion(std::size_t variable) const;
 
-  /// Returns true if it found a model under the assumptions, which is in the propagator until end(). Gives up
-  /// after some conflicts, or when the signal comes.
+  /// Returns true if it found a model under the assumptions, which stays in the propagator until end(). It
+  /// gives up after some conflicts, or when the signal comes.
   bool find(std::span<const int> assumptions, const StopSignal& signal);
   /// Takes all decisions back.
   void end();
@@ -82,7 +81,7 @@ class NearbySearch {
   std::vector<bool> ordered_;                             // by choice of search_, see ChoiceEncoding::order
   std::vector<char> wanted_;                              // by variable
   const unsigned forgets_;
-  std::uint64_t conflicts_ = tuning::kMostConflicts;  // after which the next search gives up
+  std::uint64_t conflicts_ = tuning::kMostConflicts;  // the next search gives up after so many
 };
 
 }  // namespace solitaire

@@ -9,7 +9,7 @@
 namespace solitaire {
 namespace {
 
-/// Calls with each of the clauses that stand one after the other, each behind its length.
+/// Calls `visit` with each clause of a list in which they stand one after the other, each behind its length.
 template <class Visit>
 void for_each_clause(const std::vector<int>& clauses, Visit visit) {
   for (std::size_t at = 0; at < clauses.size();) {
@@ -19,7 +19,8 @@ void for_each_clause(const std::vector<int>& clauses, Visit visit) {
   }
 }
 
-/// A literal of ClauseSink as an index of the watches: that of a variable, then its negation, from 2 on.
+/// Returns the index of a literal in the watches: each variable has two in a row, the second for its
+/// negation. They start at 2.
 std::size_t literal_index(int literal) {
   return literal > 0 ? 2 * static_cast<std::size_t>(literal) : 2 * static_cast<std::size_t>(-literal) + 1;
 }
@@ -103,7 +104,7 @@ void Propagator::take(std::span<const int> literals) {
   add(open);
 }
 
-/// Of open literals.
+/// Adds a clause whose literals are all open.
 void Propagator::add(std::span<const int> literals) {
   if (literals.empty()) {
     broken_ = true;
@@ -131,7 +132,7 @@ void Propagator::watch(int literal, Watch watch) { watches_[literal_index(litera
 
 void Propagator::learn(std::span<const int> clause) {
   if (clause.size() == 1) {
-    this->clause(clause);  // for the time when the decisions that are left are taken back
+    this->clause(clause);  // so that it is known, too, when the decisions that are left are taken back
     return assign(clause[0]);
   }
   const std::uint32_t start = append(clause);
@@ -176,6 +177,7 @@ int Propagator::undo() {
   }
   bounds_.undo_to(level.bounds);
   trail_.resize(level.trail);
+  kept_ = std::min(kept_, trail_.size());
   levels_.pop_back();
   propagated_ = level.trail;
   return decision;
@@ -213,7 +215,8 @@ bool Propagator::visit_bounds(int assigned) {
       [this](int guard, int lower, int upper) { return apply(-guard, -lower, upper); });
 }
 
-/// Assigns what is left of a clause, if it is a single literal; false if nothing is.
+/// Assigns the only literal of a clause that is not false, if there is only one. Returns false if there is
+/// none.
 bool Propagator::apply(int a, int b, int c) {
   const int value_of_a = value(a), value_of_b = value(b), value_of_c = value(c);
   if (value_of_a > 0 || value_of_b > 0 || value_of_c > 0) return true;
@@ -233,7 +236,8 @@ bool Propagator::apply(int a, int b, int c) {
   return true;
 }
 
-/// Clauses that watch the literal find another one to watch, or what is left of them follows.
+/// Goes through the clauses that watch a literal which became false. Each of them finds another literal to
+/// watch, or has its last literal assigned. Returns false if one of them is broken.
 bool Propagator::visit_clauses(int falsified) {
   std::vector<Watch>* const watches = watches_.find(literal_index(falsified));
   if (watches == nullptr) return true;

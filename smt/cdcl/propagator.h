@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "smt/sat/cnf.h"
@@ -11,73 +12,80 @@
 
 namespace solitaire {
 
-/// Clauses, an assignment of some of their variables, and what follows from it by unit propagation. Literals
-/// are those of ClauseSink.
+/// Keeps clauses and an assignment of some of their variables, and assigns what follows from it by unit
+/// propagation. Literals are those of ClauseSink.
 ///
-/// Clauses of two and three literals, of which most formulas consist, stand in tables by literal, which are
-/// made once, of those that come before the first propagation; so do ladders (order_bounds.h). All others
-/// have two watched literals.
+/// Most clauses of a formula have two or three literals. Those that come before the first propagation stand
+/// in tables by literal, which are made once. The implications between ints in order encoding stand in tables
+/// of their own (order_bounds.h). All other clauses have two watched literals.
 ///
-/// It keeps why each literal was assigned, from which conflict_analysis.h makes clauses to learn.
+/// For each assigned literal the propagator keeps the reason, from which ConflictAnalysis makes clauses to
+/// learn.
 class Propagator : public ClauseSink {
  public:
   Propagator();
 
-  /// While nothing is decided only.
+  /// Takes a clause. Only while nothing is decided.
   void clause(std::span<const int> literals) override;
   void order_implication(const OrderImplication& order_implication) override;
 
-  /// One more than the largest variable.
+  /// Returns one more than the largest variable.
   std::size_t variables() const { return assigned_.size(); }
-  /// -1 false, 1 true, 0 open.
+  /// Returns -1 for a literal that is false, 1 for one that is true, and 0 for an open one.
   int value(int literal) const {
     return static_cast<int>(values_[static_cast<std::size_t>(middle_ + literal)]);
   }
   bool is_open(int literal) const { return value(literal) == 0; }
 
-  /// Takes note of variables that no clause may have met.
+  /// Makes room for variables up to this one, which may stand in no clause.
   void reserve(int variable);
-  /// Assigns an open literal as a decision, or as a consequence of those before for which there is no clause.
+  /// decide() assigns an open literal as a decision. assign() does so as a consequence of the decisions
+  /// before it, where no clause says so.
   void decide(int literal);
   void assign(int literal) { assign(literal, kNoClause); }
-  /// Assigns all that follows; false if a clause is broken, and for good if that is without decisions.
+  /// Assigns all that follows. Returns false if a clause is broken. If nothing was decided then, it returns
+  /// false for good.
   bool propagate();
   std::size_t decisions() const { return levels_.size(); }
-  /// Takes the last decision back, with all that followed; returns it.
+  /// Takes back the last decision with all that followed, and returns it.
   int undo();
 
-  /// What is assigned, in this order, since so many decisions were made.
+  /// Returns what was assigned after so many decisions, in the order of assignment.
   std::span<const int> trail(std::size_t decisions = 0) const {
     return std::span(trail_).subspan(decisions == 0 ? 0 : levels_[decisions - 1].trail);
   }
-  /// How many decisions had been made when the variable was assigned.
+  /// Returns how much of the trail has stayed as it was since the last call. What was assigned behind that is
+  /// new.
+  std::size_t take_kept() { return std::exchange(kept_, trail_.size()); }
+  /// Returns how many decisions had been made when the variable was assigned.
   std::size_t level(int variable) const { return assigned_[static_cast<std::size_t>(variable)].level; }
-  /// After propagate() returned false: the clause that is broken.
+  /// Returns the broken clause. For use after propagate() returned false.
   std::span<const int> conflict() const { return conflict_; }
-  /// Calls with each literal, all false, from which an assigned one followed.
+  /// Calls `visit` with each of the false literals from which an assigned one followed.
   template <class Visit>
   void for_each_reason(int assigned, Visit visit) const;
 
-  /// Adds a clause that follows from the others and is false but for its first literal, which is open and is
-  /// now assigned. Of the rest none may have been assigned later than the second one.
+  /// Adds a clause that follows from the others, and assigns its first literal, which has to be open. All
+  /// others have to be false, and none assigned later than the second one.
   void learn(std::span<const int> clause);
   std::size_t learned() const { return learned_.size(); }
-  /// Forgets the older half of what was learned. While nothing is decided only.
+  /// Forgets the older half of the learned clauses. Only while nothing is decided.
   void forget_half();
 
  private:
-  /// An enum, as what is written as a char may be anything, after which all else would be read again.
+  /// This is an enum and no char, because a write through a char may change any object, so that compilers
+  /// read all other members again after each.
   enum class Truth : std::int8_t { kFails = -1, kOpen, kHolds };
 
   struct Watch {
     std::uint32_t clause;  // where it starts in literals_
-    int blocker;           // a literal of the clause: if it holds, so does the clause
+    int blocker;           // some literal of the clause; while it holds, nothing follows from the clause
   };
 
-  /// The other literals of the clause from which one followed.
+  /// Says from which clause a literal followed.
   struct Reason {
     std::uint32_t clause = kNoClause;  // where it starts in literals_
-    int first = 0, second = 0;         // if it stands in a table; 0: none
+    int first = 0, second = 0;         // of a clause in a table: its other literals, or 0
   };
   static constexpr std::uint32_t kNoClause = static_cast<std::uint32_t>(-1);
   struct Assigned {
@@ -87,7 +95,7 @@ class Propagator : public ClauseSink {
 
   using Two = std::array<int, 2>;
   using Three = std::array<int, 3>;
-  /// Where a decision stands in the trail, and how many changes of bounds came before it.
+  /// The place of a decision in the trail, and the number of changes of bounds before it.
   struct Level {
     std::size_t trail, bounds;
   };
@@ -99,7 +107,8 @@ class Propagator : public ClauseSink {
   std::uint32_t append(std::span<const int> literals);
   void watch(std::uint32_t clause);
   void watch(int literal, Watch watch);
-  /// Because of the clause that starts there, or of one in a table, whose others these are.
+  /// Assigns a literal because of the clause that starts there, or because of one in a table, of which
+  /// `first` and `second` are the other literals.
   void assign(int literal, std::uint32_t clause, int first = 0, int second = 0);
   void set(int literal, Truth value) { values_[static_cast<std::size_t>(middle_ + literal)] = value; }
   std::span<const int> literals_of(std::uint32_t clause) const {
@@ -114,22 +123,23 @@ class Propagator : public ClauseSink {
   std::vector<Truth> values_{Truth::kOpen};  // by literal, from that of -middle_ to that of middle_
   int middle_ = 0;
   std::vector<Assigned> assigned_;  // by variable
-  LiteralTable<int> pairs_;         // of clauses of two, the other literal
-  LiteralTable<Two> triples_;       // of clauses of three, the others
-  OrderBounds bounds_;              // of order_implications
+  LiteralTable<int> pairs_;         // the other literal of each clause of two
+  LiteralTable<Two> triples_;       // the other literals of each clause of three
+  OrderBounds bounds_;              // what follows from order implications
   bool has_tables_ = false;
   SparseTable<std::vector<Watch>> watches_;  // by literal; few have any, as most clauses stand in tables
   std::vector<int> literals_;                // of clauses with watches, each behind its length
-  std::vector<Two> new_pairs_;               // clauses for the tables, until these are made
+  std::vector<Two> new_pairs_;               // clauses for the tables, before these are made
   std::vector<Three> new_triples_;
-  std::vector<int> waiting_;  // other clauses since the last propagation, each behind its length
-  int largest_ = 0;           // variable of all these
+  std::vector<int> waiting_;  // other clauses that came since the last propagation, each behind its length
+  int largest_ = 0;           // the largest variable in any clause
   std::vector<int> trail_;
+  std::size_t kept_ = 0;       // see take_kept()
   std::vector<Level> levels_;  // of decisions
   std::size_t propagated_ = 0;
   bool broken_ = false;
   std::vector<int> conflict_;
-  std::vector<std::uint32_t> learned_;  // where clauses start in literals_, in this order
+  std::vector<std::uint32_t> learned_;  // where the learned clauses start in literals_, the oldest first
 };
 
 template <class Visit>

@@ -24,7 +24,7 @@ void VmtfQueue::take_out(int variable) {
   if (behind != 0) link(behind).ahead = ahead;
 }
 
-/// What stands at the front may be open, so the search for open ones begins there.
+/// The variable at the front may be open, so the search for open ones begins there.
 void VmtfQueue::put_first(int variable) {
   if (front_ != 0) link(front_).ahead = variable;
   link(variable) = {0, front_, ++moves_};

@@ -9,20 +9,20 @@
 
 namespace solitaire {
 
-/// Variables in the order in which they had a part in conflicts, the latest first (variable move to front;
-/// Ryan 2004, Biere and Fröhlich 2015).
+/// Keeps variables in the order in which they had a part in conflicts, the latest first (variable move to
+/// front; Ryan 2004, Biere and Fröhlich 2015).
 class VmtfQueue {
  public:
   /// Moves the variables to the front, and leaves their order among each other as it is.
   void move_to_front(std::span<const int> variables);
-  /// The first variable for which is_open(variable) holds; 0 if there is none. Asks again only for those that
-  /// were opened since.
+  /// Returns the first variable for which is_open(variable) holds, or 0 if there is none. From call to call
+  /// it goes on where it stopped, unless open() was called for an earlier variable.
   template <class IsOpen>
   int first_open(IsOpen is_open) {
     while (next_ != 0 && !is_open(next_)) next_ = link(next_).behind;
     return next_;
   }
-  /// The variable is open again.
+  /// Has to be called when a variable becomes open again.
   void open(int variable) {
     const auto at = static_cast<std::size_t>(variable);
     if (at >= links_.size()) return;
@@ -33,13 +33,14 @@ class VmtfQueue {
   void clear();
 
  private:
-  /// Neighbours in the queue, 0 at its ends.
+  /// The neighbours of a variable in the queue, which are 0 at its ends.
   struct Link {
     int ahead = 0, behind = 0;
-    std::uint64_t moved = 0;  // when, the later the larger; 0: never
+    std::uint64_t moved = 0;  // the number of its last move to the front, counted from 1; 0: never moved
   };
 
-  /// Sorted by when it was moved last, then as given.
+  /// A variable that is to be moved. They are sorted by their last move, then by their place among those
+  /// given.
   struct Moving {
     std::uint64_t moved;
     std::size_t place;
@@ -53,7 +54,7 @@ class VmtfQueue {
 
   SparseTable<Link> links_;  // by variable
   int front_ = 0;
-  int next_ = 0;  // none ahead of it is open
+  int next_ = 0;  // the variables ahead of this one are not open
   std::uint64_t moves_ = 0;
   std::vector<Moving> moving_;
 };

@@ -16,10 +16,11 @@ using BitBlast = Bits (*)(BitBlaster&, std::size_t width, const NodeId* operands
 using OrderBlast = OrderEncodedInt (*)(BitBlaster&, const NodeId* operands);
 using OrderSizing = OrderSize (*)(const BitBlaster&, Interval result, const NodeId* operands);
 
-/// All that the bit-blaster knows about an operation. A leaf gets itself in place of operands.
+/// What the bit-blaster knows about an operation. The functions get the operands; those of a leaf get the
+/// leaf.
 struct BitBlastRow {
   Op op;
-  BoolBlast literal;           // of a bool; an int has the others
+  BoolBlast literal;           // makes the literal of a bool; an int has the members below
   BitBlast bits = nullptr;     // in binary
   OrderBlast order = nullptr;  // in order encoding, or null if there is none
   OrderSizing size = nullptr;  // how many values the order has
@@ -130,7 +131,7 @@ void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& litera
   }
 }
 
-/// Adds literals of which one holds where the choice has another value.
+/// Appends literals one of which holds where the choice has another value.
 void BitBlaster::add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals) {
   choices_.add(variable);
   if (const OrderEncodedInt* order = choices_.order(variable)) {

@@ -18,19 +18,19 @@ namespace solitaire {
 /// (OrderEncodedInt), or both, depending on where it is needed: a comparison reads orders if both of its
 /// operands can have one, everything else reads bits.
 ///
-/// Every node is a total function of the choices' bits. So one without a value, such as a division by zero on
-/// a path that is not taken, rules nothing out.
+/// Every node is a total function of the choices' bits. So a node without a value, such as a division by zero
+/// on a path that is not taken, rules nothing out.
 class BitBlaster {
  public:
   BitBlaster(const Graph& graph, Circuit& circuit, Cnf& cnf)
       : graph_(graph), circuit_(circuit), choices_(graph, circuit, cnf) {}
 
-  /// Returns the literal of a bool node. Throws UnsupportedOperation. The bounds of choices that are met for
-  /// the first time go to the Cnf.
+  /// Returns the literal of a bool node. The bounds of choices that are met for the first time are added to
+  /// the Cnf. Throws UnsupportedOperation.
   Literal condition(NodeId node);
-  /// Adds literals of which one holds where the condition does. That a choice has another value than a given
-  /// one is said by the choice's own literals, so clauses that keep thousands of solutions from coming again
-  /// need no further variables. Throws UnsupportedOperation.
+  /// Appends literals to `literals`, one of which holds where the condition does. A condition that a choice
+  /// differs from a value becomes the choice's own literals, so that clauses that keep thousands of solutions
+  /// from coming again need no further variables. Throws UnsupportedOperation.
   void add_alternatives(NodeId condition, std::vector<Literal>& literals);
 
   /// The inputs of the choices that conditions have met so far.
@@ -40,13 +40,13 @@ class BitBlaster {
  private:
   friend struct BitBlasts;
 
-  /// How an int can be written.
+  /// The ways to write an int.
   enum class Form : std::uint8_t { kBits, kOrder };
   struct Part {
     NodeId node;
     Form form;  // of ints
   };
-  /// What became of a node. 0: nothing yet.
+  /// What became of a node so far; 0 stands for nothing.
   struct Compiled {
     std::uint32_t bits =
         0;  // of a bool, 1 + the code of its literal; of an int, its place in numbers_ from 1

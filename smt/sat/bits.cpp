@@ -77,8 +77,8 @@ Bits multiply(Circuit& circuit, const Bits& a, const Bits& b, bool b_signed) {
   return product;
 }
 
-/// A row for each digit of the constant in non-adjacent form, whose digits are -1, 0 and 1 (7 is 8 - 1): at
-/// most half of them are not 0.
+/// Adds or subtracts a shifted copy of the number for each digit of the constant in non-adjacent form. Its
+/// digits are -1, 0 and 1 (7 is 8 - 1), and at most half of them are not 0.
 Bits multiply(Circuit& circuit, const Bits& a, std::int64_t constant) {
   Bits product = constant_bits(0, a.size());
   for (std::size_t i = 0; i < a.size() && constant != 0; ++i) {
@@ -104,8 +104,8 @@ Literal less(Circuit& circuit, const Bits& a, const Bits& b, bool or_equal) {
   return result;
 }
 
-/// Restoring division. What is left of the dividend's upper bits is always less than the divisor, so one bit
-/// more than the divisor has holds it with the next bit shifted in.
+/// Does restoring division. What remains of the dividend's upper bits is always less than the divisor. With
+/// the next bit shifted in it needs one bit more than the divisor has.
 Division divide(Circuit& circuit, const Bits& a, const Bits& b) {
   const Bits divisor = resized(b, b.size() + 1, false);
   Bits quotient(a.size());

@@ -10,8 +10,8 @@
 namespace solitaire {
 namespace {
 
-/// Ends a search of CaDiCaL once the signal says so. CaDiCaL asks all the time, so the clock is looked at
-/// only now and then.
+/// Ends a search of CaDiCaL once the signal says so. CaDiCaL asks very often, so the clock is looked at only
+/// now and then.
 class Stop : public CaDiCaL::Terminator {
  public:
   explicit Stop(const StopSignal& signal) : signal_(signal) {}

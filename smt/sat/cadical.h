@@ -15,8 +15,9 @@ class Solver;
 
 namespace solitaire {
 
-/// The SAT solver CaDiCaL (Biere, Fazekas, Fleury and Heisinger 2020), set up for this project. It is made,
-/// and gets its clauses, when it is first asked: both take longer than many a search that does without it.
+/// The SAT solver CaDiCaL (Biere, Fazekas, Fleury and Heisinger 2020), set up for this project. The solver is
+/// made, and gets its clauses, when it is first asked, because both take longer than many a search that does
+/// without it.
 class Cadical : public ClauseSink {
  public:
   enum class Use : std::uint8_t {
@@ -30,17 +31,17 @@ class Cadical : public ClauseSink {
   void clause(std::span<const int> literals) override;
   void order_implication(const OrderImplication& order_implication) override;
 
-  /// Has the next searches try the literals first, until prefer_nothing().
+  /// Makes searches try these literals first, until prefer_nothing().
   void prefer(std::vector<int> literals);
   void prefer_nothing();
 
-  /// Returns whether the clauses and the assumptions have a model; kStopped if the signal or the limit of
-  /// conflicts of this call came first. 0 conflicts are no limit.
+  /// Decides whether the clauses have a model under the assumptions. Returns kStopped if the signal or the
+  /// limit of conflicts of this call came first. With 0 conflicts there is no such limit.
   Verdict solve(std::span<const int> assumptions, const StopSignal& signal, std::uint64_t conflicts = 0);
-  /// After kSatisfiable: returns the value of a variable in the model.
+  /// Returns the value of a variable in the model. For use after kSatisfiable.
   bool holds(int variable);
-  /// After kUnsatisfiable: returns those of the conditions that the proof needed. Each was assumed by the
-  /// literal at its place.
+  /// Returns those of the conditions that the proof needed; `assumed` has the literal by which each was
+  /// assumed, at the same place. For use after kUnsatisfiable.
   std::vector<NodeId> core(std::span<const NodeId> conditions, std::span<const int> assumed);
 
  private:

@@ -16,7 +16,7 @@ Bits with_known_bits(Bits bits, Interval interval) {
   return bits;
 }
 
-/// Returns the interval of what the bits of a variable count.
+/// Returns the interval of the numbers that the bits of a variable stand for.
 Interval ChoiceEncoding::numbers(std::size_t variable) const {
   const Distribution& values = domain(variable);
   return values.step == 1 ? Interval{values.lo, values.hi}
@@ -35,7 +35,7 @@ void ChoiceEncoding::add(std::size_t variable) {
   }
 }
 
-/// Whoever reaches a value reaches all lower ones: a clause for each two neighbours.
+/// An int that reaches a value reaches all lower ones. One clause for each two neighbours says so.
 OrderEncodedInt ChoiceEncoding::ordered_input(const Distribution& domain, Bits& inputs) {
   OrderEncodedInt order = constant_order(domain.lo);
   for (std::int64_t value = domain.lo + domain.step; value <= domain.hi; value += domain.step) {
@@ -56,7 +56,7 @@ Bits ChoiceEncoding::bounded_input(Interval interval) {
   Bits lo = constant_bits(interval.lo, bits.size());
   Bits hi = constant_bits(interval.hi, bits.size());
   Bits offset = bits;
-  if (interval.lo < 0) {  // with the sign bit turned round, signed numbers compare as unsigned ones
+  if (interval.lo < 0) {  // with inverted sign bits, signed numbers compare like unsigned ones
     for (Bits* each : {&lo, &hi, &offset}) each->back() = !each->back();
   }
   for (const Literal bound : {less(circuit_, lo, offset, true), less(circuit_, offset, hi, true)}) {
@@ -81,7 +81,7 @@ const Bits& ChoiceEncoding::bits(std::size_t variable) {
   return made.bits;
 }
 
-/// Each bit holds in some runs of neighbouring values.
+/// Makes the bits of a choice in order encoding. Each bit holds in some runs of neighbouring values.
 Bits ChoiceEncoding::bits_of_order(std::size_t variable, const OrderEncodedInt& order) {
   Bits bits(static_cast<std::size_t>(bit_width(numbers(variable))), kFalseLiteral);
   for (std::size_t i = 0; i < bits.size(); ++i) {

@@ -79,7 +79,7 @@ Literal Circuit::defined(std::unique_ptr<Definition> definition) {
 }
 
 std::uint64_t Circuit::hash(const Gate& gate) {
-  const auto [a, b, c] = gate.operands;  // those that it has not are 0
+  const auto [a, b, c] = gate.operands;  // operands that a gate does not have are 0
   return mix(std::uint64_t{a.code()} << 32 | b.code(),
              std::uint64_t{c.code()} << 32 | static_cast<std::uint64_t>(gate.kind));
 }

@@ -18,7 +18,7 @@ class Literal {
 
   constexpr std::uint32_t gate() const { return code_ / 2; }
   constexpr bool negated() const { return code_ % 2 != 0; }
-  /// Dense: literals can be numbers of a vector.
+  /// Returns a number for each literal, without gaps, so that literals can index vectors.
   constexpr std::uint32_t code() const { return code_; }
   constexpr Literal operator!() const { return *this ^ true; }
   constexpr Literal operator^(bool negate) const { return {gate(), negated() != negate}; }
@@ -35,33 +35,33 @@ constexpr Literal constant_literal(bool value) { return kFalseLiteral ^ value; }
 
 struct OrderEncodedInt;
 
-/// That a number is no larger than another one, or smaller; both are told by order (order.h).
+/// Says that one int is less than another, or no larger. Both are in order encoding (order_encoded_int.h).
 struct OrderedPair {
   const OrderEncodedInt* smaller = nullptr;
   const OrderEncodedInt* larger = nullptr;
   bool strict = false;
 };
 
-/// What a literal means, said by whoever makes it: clauses that follow from it, and others from its negation.
-/// No assignment may fulfil both lists.
+/// Says what a literal means, by clauses that hold where the literal does, and others that hold where its
+/// negation does. Whoever makes the literal provides both lists. No assignment may fulfil both.
 class Definition {
  public:
   using Emit = std::function<void(std::initializer_list<Literal> clause)>;
   virtual ~Definition() = default;
   virtual void write(bool negated, const Emit& emit) const = 0;
-  /// The same, if it can be said so, by comparisons that all hold; else nothing.
+  /// Returns comparisons that together say the same as write(), or nothing if there are none.
   virtual std::vector<OrderedPair> comparisons(bool /*negated*/) const { return {}; }
 };
 
-/// A hash-consed circuit: equal gates are one, and none has a constant, equal or opposite operands, as all
-/// that folds away when it is made.
+/// A hash-consed circuit: equal gates are one gate. A gate with constant, equal or opposite operands is
+/// simplified when it is made, so that the circuit has none.
 class Circuit {
  public:
   enum class Kind : std::uint8_t { kInput, kAnd, kXor, kMux, kParity, kMajority, kDefined };
   struct Gate {
     Kind kind = Kind::kInput;
     std::array<Literal, 3> operands{};
-    std::uint32_t uses = 0;  // by other gates, one that needs both signs counts twice
+    std::uint32_t uses = 0;  // by other gates; one that needs both signs counts as two uses
     friend bool operator==(const Gate& a, const Gate& b) {
       return a.kind == b.kind && a.operands == b.operands;
     }
@@ -74,22 +74,23 @@ class Circuit {
   Literal disjunction(Literal a, Literal b) { return !conjunction(!a, !b); }
   Literal exclusive_or(Literal a, Literal b);
   Literal equivalence(Literal a, Literal b) { return !exclusive_or(a, b); }
-  /// a where the condition holds, else b.
+  /// Returns a literal that is `a` where the condition holds, and `b` elsewhere.
   Literal mux(Literal condition, Literal a, Literal b);
-  /// Whether an odd number of them holds: the sum of a full adder.
+  /// Returns a literal that holds where an odd number of them does, as the sum of a full adder.
   Literal parity(Literal a, Literal b, Literal c);
-  /// Whether at least two of them hold: the carry of a full adder.
+  /// Returns a literal that holds where at least two of them do, as the carry of a full adder.
   Literal majority(Literal a, Literal b, Literal c);
-  /// A gate of its own. The maker counts the uses of the literals in its clauses.
+  /// Makes a gate that nothing else is equal to. Whoever makes it counts the uses of the literals in its
+  /// clauses.
   Literal defined(std::unique_ptr<Definition> definition);
 
   const Gate& gate(Literal literal) const { return gates_[literal.gate()]; }
-  /// Of a gate of the kind kDefined.
+  /// Returns the definition of a gate of the kind kDefined.
   const Definition& definition(Literal literal) const {
     return *definitions_[gate(literal).operands[0].gate()];
   }
   std::size_t size() const { return gates_.size(); }
-  /// Counts a use from outside.
+  /// Counts a use of the literal outside of the circuit.
   void use(Literal literal) { ++gates_[literal.gate()].uses; }
 
  private:
@@ -98,7 +99,7 @@ class Circuit {
 
   std::vector<Gate> gates_;
   std::vector<std::unique_ptr<Definition>> definitions_;
-  UniqueTable table_;  // of the gates that have operands
+  UniqueTable table_;  // contains the gates that have operands
 };
 
 }  // namespace solitaire

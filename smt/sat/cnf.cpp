@@ -42,8 +42,8 @@ int Cnf::equivalent(Literal literal) {
 
 int Cnf::known_variable(Literal input) const { return has_number(input) ? numbers_[input.gate()] : 0; }
 
-/// Clauses make definitions necessary and these make clauses; on own stacks, as the circuit can be deeper
-/// than the machine's.
+/// Clauses make definitions necessary, and definitions make clauses. Both wait on stacks of this class, as
+/// circuits can be deeper than the machine's stack.
 void Cnf::write_all() {
   while (true) {
     if (!clauses_.empty()) {
@@ -63,7 +63,7 @@ void Cnf::push(const Clause& clause) {
   literals_.insert(literals_.end(), clause.literals.begin(), clause.literals.end());
 }
 
-/// Takes the clause pushed last into popped_; returns its head.
+/// Takes the clause that was pushed last off the stack and into popped_. Returns its head.
 int Cnf::pop() {
   const Pending last = clauses_.back();
   clauses_.pop_back();
@@ -73,7 +73,7 @@ int Cnf::pop() {
   return last.head;
 }
 
-/// Writes the head or what is in popped_.
+/// Writes the clause of the head and the literals in popped_.
 void Cnf::write(int head) {
   if (!flatten(popped_) || distribute(head)) return;
   buffer_.clear();
@@ -82,7 +82,7 @@ void Cnf::write(int head) {
   sink_.clause(buffer_);
 }
 
-/// Without looking for what could be part of the clause: there are many of these.
+/// Writes a clause without looking for gates that could become part of it. There are many of these clauses.
 void Cnf::write_plain(int head, std::initializer_list<Literal> literals) {
   buffer_.clear();
   if (head != 0) buffer_.push_back(head);
@@ -93,7 +93,7 @@ void Cnf::write_plain(int head, std::initializer_list<Literal> literals) {
   sink_.clause(buffer_);
 }
 
-/// Replaces disjunctions by their operands; false if the clause always holds.
+/// Replaces disjunctions by their operands. Returns false if the clause always holds.
 bool Cnf::flatten(std::vector<Literal>& literals) const {
   for (std::size_t i = 0; i < literals.size();) {
     const Literal literal = literals[i];
@@ -113,7 +113,8 @@ bool Cnf::flatten(std::vector<Literal>& literals) const {
          literals.end();
 }
 
-/// Pushes the clauses that popped_ and the head stand for, if they are no single one.
+/// If exactly one literal of popped_ is a gate that gets no variable of its own, and the clause is short,
+/// pushes the clauses that the head and popped_ stand for in terms of the gate's operands, and returns true.
 bool Cnf::distribute(int head) {
   const std::size_t size = popped_.size() + (head != 0 ? 1 : 0);
   if (size > tuning::kMostRepeated + 1) return false;
@@ -132,7 +133,7 @@ void Cnf::define(Literal literal) {
   push_meaning(literal, {literal.negated() ? number : -number, {}});
 }
 
-/// Writes that the literal or the rest holds, in terms of the gate's operands.
+/// Pushes clauses saying that the literal or the rest holds, in terms of the operands of the literal's gate.
 void Cnf::push_meaning(Literal literal, const Clause& rest) {
   const auto push = [&](std::initializer_list<Literal> literals) { push_clause(rest, literals); };
   const bool negated = literal.negated();
@@ -162,7 +163,7 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
   }
 }
 
-/// The rest or the literals.
+/// Pushes the clause of the rest and the literals.
 void Cnf::push_clause(const Clause& rest, std::initializer_list<Literal> literals) {
   push(rest);
   literals_.insert(literals_.end(), literals);
@@ -181,8 +182,8 @@ void Cnf::push_definition(const Definition& definition, bool negated, const Clau
   for (const OrderedPair& pair : comparisons) write_comparison(rest.head, pair);
 }
 
-/// A ladder for each run of neighbouring values. What the lowest value implies, and that those are out which
-/// imply more than there is, are clauses of their own.
+/// Writes an order implication for each run of neighbouring values. Clauses of their own say what the lowest
+/// value implies, and rule out values that would imply more than there is.
 void Cnf::write_comparison(int head, const OrderedPair& pair) {
   const auto& [smaller, larger, strict] = pair;
   const std::int64_t offset = strict ? 1 : 0;
@@ -209,8 +210,8 @@ void Cnf::write_comparison(int head, const OrderedPair& pair) {
   if (order_implication.count > 0) sink_.order_implication(order_implication);
 }
 
-/// The numbers of an order's literals, and the definitions of all in the direction in which a clause with
-/// them needs them.
+/// Returns the numbers of the literals of an int in order encoding. All are defined in the direction that a
+/// clause with them needs.
 const std::vector<int>& Cnf::chain(const OrderEncodedInt& order, bool negated) {
   std::unique_ptr<Chain>& chain = chains_[&order];
   if (chain == nullptr) {
@@ -237,7 +238,7 @@ void Cnf::push_conjuncts(Literal conjunction, const Clause& rest) {
   }
 }
 
-/// The literal's number, and its definition in this direction.
+/// Returns the number of a literal, and sees to it that it is defined in the direction in which it is used.
 int Cnf::demand(Literal literal) {
   if (defined_.size() <= literal.code()) defined_.resize(2 * circuit_.size());
   if (circuit_.gate(literal).kind != Circuit::Kind::kInput && !defined_[literal.code()]) {

@@ -10,10 +10,11 @@
 
 namespace solitaire {
 
-/// Clauses between two numbers told by order, each a chain of literals of which those up to some place hold:
-/// where the guard holds, lower[first + i] implies upper[base + i] for each i < count.
+/// Stands for many clauses between two ints in order encoding. Each int is a chain of literals, of which
+/// those up to some place hold. The clauses say: where the guard holds, lower[first + i] implies upper[base +
+/// i] for each i < count.
 struct OrderImplication {
-  const std::vector<int>* lower = nullptr;  // of the Cnf, which has one for each number
+  const std::vector<int>* lower = nullptr;  // owned by the Cnf, which has one chain for each int
   const std::vector<int>* upper = nullptr;
   int guard = 0;
   std::uint32_t first = 0, base = 0, count = 0;
@@ -24,30 +25,31 @@ class ClauseSink {
  public:
   virtual ~ClauseSink() = default;
   virtual void clause(std::span<const int> literals) = 0;
-  /// By default, all of its clauses.
+  /// Receives an order implication. By default, each of its clauses is passed to clause().
   virtual void order_implication(const OrderImplication& order_implication);
 };
 
 /// Writes what is required of a circuit's literals as clauses.
 ///
 /// A gate becomes a variable only where it is used, with the clauses of the one direction in which it is used
-/// (Plaisted and Greenbaum 1986); those of the other follow once that is needed. Of gates with a single use,
-/// disjunctions become part of their clause, and conjunctions several clauses, without a variable.
+/// (Plaisted and Greenbaum 1986). The clauses of the other direction follow once that is needed. Gates with a
+/// single use need no variable: a disjunction becomes part of the clause that uses it, and a conjunction
+/// turns that clause into several.
 class Cnf {
  public:
   Cnf(Circuit& circuit, ClauseSink& sink) : circuit_(circuit), sink_(sink) {}
 
-  /// At least one of the literals holds.
+  /// Requires that at least one of the literals holds.
   void add_clause(std::span<const Literal> literals);
-  /// The number of a literal that can be assumed: where it holds, the circuit's literal holds.
+  /// Returns the number of a literal that can be assumed. Where it holds, the circuit's literal holds.
   int assumable(Literal literal);
-  /// The number of a literal that holds where the circuit's literal does, and nowhere else.
+  /// Returns the number of a literal that holds where the circuit's literal does, and nowhere else.
   int equivalent(Literal literal);
-  /// The variable that stands for an input of the circuit.
+  /// Returns the variable that stands for an input of the circuit.
   int variable(Literal input) { return number(input); }
-  /// How many variables there are.
+  /// Returns how many variables there are.
   int variables() const { return variables_; }
-  /// The variable of an input, 0 if no clause has met the input yet.
+  /// Returns the variable of an input, or 0 if no clause contains the input yet.
   int known_variable(Literal input) const;
 
  private:
@@ -56,10 +58,11 @@ class Cnf {
     bool demanded[2] = {false, false};  // not negated, negated
   };
   struct Clause {
-    int head = 0;  // a literal as the sink knows it that stands before the others; 0: none
+    int head = 0;  // a further literal, as the sink numbers it, that comes before the others; 0: none
     std::span<const Literal> literals;
   };
-  /// On the stack of clauses to be written: its literals are those from `begin` on up to the next one's.
+  /// A clause on the stack of clauses to be written. Its literals are those from `begin` up to the beginning
+  /// of the next clause on the stack.
   struct Pending {
     int head;
     std::size_t begin;
@@ -85,7 +88,7 @@ class Cnf {
   bool has_number(Literal literal) const {
     return literal.gate() < numbers_.size() && numbers_[literal.gate()] != 0;
   }
-  /// Whether a variable of its own for the gate would serve nothing but its one use.
+  /// Returns true if a variable for the gate would have a single use.
   bool inlinable(Literal literal) const;
   bool is_conjunction(Literal literal) const {
     return circuit_.gate(literal).kind == Circuit::Kind::kAnd && !literal.negated();

@@ -24,8 +24,8 @@ class GraphClauses {
   /// UnsupportedOperation.
   std::vector<int> assume(std::span<const NodeId> conditions);
 
-  /// Returns the values of all choices in a model of the clauses, which `holds` gives by the number of a
-  /// variable; nothing for a choice on which no condition depends.
+  /// Returns the values of all choices in a model of the clauses. `holds` gives the value of a variable in
+  /// the model by its number. A choice on which no condition depends has no value.
   std::vector<std::optional<std::int64_t>> values(const std::function<bool(int)>& holds) const;
 
   int variables() const { return cnf_.variables(); }

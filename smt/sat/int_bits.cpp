@@ -25,8 +25,8 @@ std::optional<std::size_t> exponent(const IntBits& a) {
 }
 
 /// A division of numbers that are not negative, from which the floor division of a and b follows. For a
-/// negative a, floor(a / b) is ~floor(~a / b), as ~a is -a - 1; and a negative divisor is made positive
-/// together with its dividend.
+/// negative a, floor(a / b) is ~floor(~a / b), as ~a is -a - 1. If the divisor is negative, both numbers are
+/// negated first.
 struct FloorDivision {
   Literal dividend_sign, divisor_sign;
   Bits divisor;  // its absolute value
@@ -57,7 +57,7 @@ Literal less(Circuit& circuit, const IntBits& a, const IntBits& b, bool or_equal
   const std::size_t bits = common_width(a, b);
   Bits x = a.sized(bits);
   Bits y = b.sized(bits);
-  if (either_signed(a, b)) {  // with the sign bit turned round, signed numbers compare as unsigned ones
+  if (either_signed(a, b)) {  // with inverted sign bits, signed numbers compare like unsigned ones
     x.back() = !x.back();
     y.back() = !y.back();
   }
@@ -89,7 +89,8 @@ Bits quotient(Circuit& circuit, const IntBits& a, const IntBits& b, std::size_t 
   return resized(std::move(bits), width, true);
 }
 
-/// The remainder of a negative dividend is divisor - 1 - that of the division; and it has the divisor's sign.
+/// The remainder has the divisor's sign. For a negative dividend it is divisor - 1 - r, where r is the
+/// remainder of the division of positive numbers.
 Bits modulus(Circuit& circuit, const IntBits& a, const IntBits& b, std::size_t width) {
   if (const auto kept = exponent(b))
     return resized(resized(a.sized(std::max(*kept, a.width())), *kept, false), width, false);

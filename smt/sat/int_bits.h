@@ -7,10 +7,10 @@
 
 namespace solitaire {
 
-/// An int in binary, of the fewest bits that hold its interval: an unsigned number if the interval has no
-/// negative value, else a two's complement number. It refers to bits that are kept elsewhere.
+/// An int in binary with the fewest bits that hold its interval. It is an unsigned number if the interval has
+/// no negative value, and a two's complement number otherwise. The bits are kept elsewhere.
 ///
-/// All results of given width are modulo 2^width.
+/// All results of a given width are taken modulo 2^width.
 struct IntBits {
   const Bits& bits;
   Interval interval;
@@ -27,7 +27,8 @@ Literal less(Circuit& circuit, const IntBits& a, const IntBits& b, bool or_equal
 /// Returns the smaller or the larger one.
 Bits extreme(Circuit& circuit, const IntBits& a, const IntBits& b, bool smaller, std::size_t width);
 Bits product(Circuit& circuit, const IntBits& a, const IntBits& b, std::size_t width);
-/// Floor division, and its remainder, which has the divisor's sign. Division by zero gives some number.
+/// Floor division, and its remainder, which has the divisor's sign. Division by zero gives an arbitrary
+/// number.
 Bits quotient(Circuit& circuit, const IntBits& a, const IntBits& b, std::size_t width);
 Bits modulus(Circuit& circuit, const IntBits& a, const IntBits& b, std::size_t width);
 

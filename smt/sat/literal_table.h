@@ -6,13 +6,13 @@
 
 namespace solitaire {
 
-/// Entries by literal, side by side, made once.
+/// Keeps the entries of each literal side by side in one array. The table is made once.
 template <class Entry>
 class LiteralTable {
  public:
   LiteralTable() = default;
-  /// For variables below `variables`. `each` is called twice with a function to call with each literal and
-  /// entry.
+  /// Makes the table for variables below `variables`. `each` is called twice, with a function that it has to
+  /// call with the literal and the entry of each.
   template <class Each>
   LiteralTable(std::size_t variables, Each each)
       : middle_(static_cast<std::ptrdiff_t>(variables)), table_(2 * variables, [&](const auto& put) {
@@ -24,7 +24,7 @@ class LiteralTable {
  private:
   std::size_t group(int literal) const { return static_cast<std::size_t>(middle_ + literal); }
 
-  std::ptrdiff_t middle_ = 0;  // between the literals' negations and them
+  std::ptrdiff_t middle_ = 0;  // the place of literal 0; negative literals come before it
   GroupedTable<Entry> table_;
 };
 

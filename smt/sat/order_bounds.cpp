@@ -7,7 +7,7 @@ void OrderBounds::add(const OrderImplication& order_implication) {
                     order_implication.first, order_implication.base, order_implication.count});
 }
 
-/// The number of a chain, which is new if its literals are.
+/// Returns the number of a chain. A chain that was not seen before gets a new one.
 std::uint32_t OrderBounds::chain(const std::vector<int>* literals) {
   const auto [at, is_new] = numbers_.try_emplace(literals, static_cast<std::uint32_t>(chains_.size()));
   if (is_new) chains_.push_back({*literals, 0, static_cast<std::uint32_t>(literals->size())});
@@ -35,7 +35,7 @@ void OrderBounds::build(std::size_t variables) {
   numbers_ = {};
 }
 
-/// Takes note that the literal at a place holds; whether that is new.
+/// Takes note that the literal at a place holds. Returns true if that changes the bound.
 bool OrderBounds::raise(Place place) {
   Chain& chain = chains_[place.chain];
   if (place.position < chain.reached) return false;
@@ -44,7 +44,7 @@ bool OrderBounds::raise(Place place) {
   return true;
 }
 
-/// The same of one that does not hold.
+/// Takes note that the literal at a place does not hold. Returns true if that changes the bound.
 bool OrderBounds::lower(Place place) {
   Chain& chain = chains_[place.chain];
   if (place.position >= chain.limit) return false;

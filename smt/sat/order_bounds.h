@@ -11,36 +11,43 @@
 
 namespace solitaire {
 
-/// What follows from ladders by bounds: of each number it is known how far it reaches and where it ends, and
-/// two such bounds decide a comparison. So of a ladder's clauses only the one that says most is looked at.
+/// Finds what follows from order implications by looking at bounds. An int in order encoding is a chain of
+/// literals, one for each of its values but the lowest, and the literals up to the int's value hold. So two
+/// bounds describe what is known of an int: the last literal that holds, and the first one that does not. An
+/// order implication stands for a clause for each value; of these, only the one at the bound can make new
+/// literals follow.
 ///
-/// What it gives as a clause is one of the ladder or follows from one by the order of its chains. That order
-/// is what the literals mean; whether clauses say so, too, does not matter: a model of the choices stays one
-/// when every literal gets the value that it means.
+/// For example, let x and y be ints from 0 to 9, and x <= y. That is an order implication of 9 clauses: x >=
+/// 1 implies y >= 1, up to x >= 9 implies y >= 9. Once x >= 5 holds, the fifth clause gives y >= 5. The first
+/// four say nothing more, and the last four nothing yet.
+///
+/// Each clause that visit() gives is one of the order implication, or follows from one because the literals
+/// of a chain hold in order. It need not follow from clauses that the solver knows: whatever values the
+/// choices have, a model can give each literal of a chain the value that it stands for.
 class OrderBounds {
  public:
-  /// Before build().
+  /// Adds an order implication, of which nothing follows until build() is called.
   void add(const OrderImplication& order_implication);
-  /// Whether there are ladders that build() did not see.
+  /// Returns true if some were added since build().
   bool has_new() const { return built_ < steps_.size(); }
-  /// Calls with all literals of these.
+  /// Calls `visit` with all literals of the order implications.
   template <class Visit>
   void for_each_literal(Visit visit) const;
-  /// Once, for variables below `variables`.
+  /// Makes the tables, for variables below `variables`. To be called once.
   void build(std::size_t variables);
 
-  /// The literal holds. Calls apply(guard, lower, upper) for the clauses "guard and lower imply upper" from
-  /// which something may follow, until one returns false; then it does, too. value(literal) is less than 0
-  /// for what is false.
+  /// Takes note that a literal holds. Calls apply(guard, lower, upper) for each clause "guard and lower imply
+  /// upper" from which something may follow. Returns false as soon as one of these calls does. value(literal)
+  /// is negative for a literal that is false.
   template <class Value, class Apply>
   bool visit(int assigned, Value value, Apply apply);
 
-  /// How often a bound was changed; what came after so many changes can be taken back.
+  /// Returns how often a bound was changed. undo_to() takes back the changes after so many.
   std::size_t changes() const { return changed_.size(); }
   void undo_to(std::size_t changes);
 
  private:
-  /// A ladder by the numbers of its chains.
+  /// An order implication, whose chains are given by their numbers.
   struct Step {
     int guard;
     std::uint32_t lower, upper;
@@ -54,7 +61,7 @@ class OrderBounds {
   struct Place {
     std::uint32_t chain, position;
   };
-  /// A chain's bounds as they were.
+  /// The bounds that a chain had before a change.
   struct Bounds {
     std::uint32_t chain, reached, limit;
   };
@@ -69,12 +76,12 @@ class OrderBounds {
   std::uint32_t chain(const std::vector<int>* literals);
 
   std::vector<Step> steps_;
-  std::size_t built_ = 0;                                               // of the steps
-  std::unordered_map<const std::vector<int>*, std::uint32_t> numbers_;  // of the chains
+  std::size_t built_ = 0;  // so many of the steps are in the tables
+  std::unordered_map<const std::vector<int>*, std::uint32_t> numbers_;  // of each chain
   std::vector<Chain> chains_;
-  LiteralTable<Place> places_;                       // of literals in chains
-  GroupedTable<std::uint32_t> as_lower_, as_upper_;  // numbers of steps, by chain
-  LiteralTable<std::uint32_t> guarded_;              // the same by guard
+  LiteralTable<Place> places_;                       // where each literal stands in chains
+  GroupedTable<std::uint32_t> as_lower_, as_upper_;  // the steps of each chain
+  LiteralTable<std::uint32_t> guarded_;              // the steps of each guard
   std::vector<Bounds> changed_;
 };
 
@@ -100,8 +107,8 @@ bool OrderBounds::visit(int assigned, Value value, Apply apply) {
   return true;
 }
 
-/// What follows from how far the lower number reaches: beyond what the upper one can be, or what it is at
-/// least.
+/// Applies what follows from the lower int's bound: the upper int has at least some value or, if it cannot
+/// have it, the guard does not hold.
 template <class Value, class Apply>
 bool OrderBounds::apply_reached(const Step& step, Value value, Apply apply) const {
   const Chain& lower = chains_[step.lower];
@@ -113,7 +120,8 @@ bool OrderBounds::apply_reached(const Step& step, Value value, Apply apply) cons
   return apply(step.guard, lower.literals[lower.reached - 1], upper.literals[std::min(at, upper.limit)]);
 }
 
-/// What follows from where the upper number ends: the lower one is beyond that, or what it is at most.
+/// Applies what follows from the upper int's bound: the lower int has at most some value or, if it is beyond
+/// that already, the guard does not hold.
 template <class Value, class Apply>
 bool OrderBounds::apply_limit(const Step& step, Value value, Apply apply) const {
   const Chain& upper = chains_[step.upper];

@@ -9,9 +9,9 @@ namespace {
 
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && a < 0 ? 1 : 0); }
 
-/// A number that can have these values, which are sorted. Of those that no value of the literals leads to,
-/// none is kept. That a value is always reached may show only at a later one. `at_least` is asked in their
-/// order.
+/// Makes an int that can have these sorted values. `at_least` gives the literal for each of them, and is
+/// called in their order. A value that turns out to be impossible, since its literal equals that of the next
+/// value, is left out. That a value is always reached may show only at a later one.
 template <class AtLeast>
 OrderEncodedInt make(std::vector<std::int64_t> values, AtLeast at_least) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -49,7 +49,7 @@ std::vector<std::int64_t> sums_of_both(const OrderEncodedInt& a, const OrderEnco
   return sums;
 }
 
-/// The literals of the number will stand in clauses.
+/// Counts a use of each literal of the int, as they will stand in clauses.
 void use(Circuit& circuit, const OrderEncodedInt& order) {
   for (const Literal literal : order.reached) {
     circuit.use(literal);
@@ -62,8 +62,9 @@ void write_comparison(const OrderedPair& pair, const Definition::Emit& emit) {
     emit({!pair.smaller->at_least(value), pair.larger->at_least(value + (pair.strict ? 1 : 0))});
 }
 
-/// What `less` says and its negation, each a list of implications between what the two reach. Written as a
-/// formula of gates, one of the two would be a long disjunction, from which nothing follows in a search.
+/// The meaning of `less` and of its negation: each is a list of implications between literals of the two
+/// ints. As a formula of gates, one of the two would be a long disjunction, from which nothing follows in a
+/// search.
 class Comparison : public Definition {
  public:
   Comparison(SharedOrder a, SharedOrder b) : a_(std::move(a)), b_(std::move(b)) {}
@@ -146,7 +147,7 @@ OrderEncodedInt divided(const OrderEncodedInt& a, std::int64_t divisor) {
 
 OrderEncodedInt sum(Circuit& circuit, const OrderEncodedInt& a, const OrderEncodedInt& b) {
   if (a.size() < b.size()) return sum(circuit, b, a);
-  // By value of b: the first value of a that reaches the bound with it.
+  // For each value of b, the first value of a with which the sum reaches the bound.
   std::vector<std::size_t> least(b.size());
   return make(sums_of_both(a, b), [&](std::int64_t bound) {
     Literal any = kFalseLiteral;

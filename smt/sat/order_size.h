@@ -5,22 +5,22 @@
 
 namespace solitaire {
 
-/// How many values an int has in order encoding, at most.
+/// The number of values that an int has in order encoding, at most.
 struct OrderSize {
-  std::uint64_t most = 0;    // 0: it is not written so
+  std::uint64_t most = 0;    // 0: the int is not written in order encoding
   std::uint64_t stride = 1;  // all differences of its values are multiples of this; 0: it has one value alone
 
   bool is_ordered() const { return most > 0; }
 };
 
-/// An operand or a result of which the order's size is asked.
+/// An operand, with its size in order encoding.
 struct Sized {
   OrderSize size;
   Interval interval;
 };
 
-/// Each returns the size of an int with that interval from those of the operands; not ordered if an operand
-/// is not, or if there are too many values.
+/// These functions return the size of an int with that interval, given the sizes of the operands. The result
+/// is not written in order encoding if an operand is not, or if there are too many values.
 OrderSize size_within(Interval interval, std::uint64_t most, std::uint64_t stride);
 /// The size of a sum or a difference.
 OrderSize sum_size(Interval interval, OrderSize a, OrderSize b);

@@ -6,22 +6,22 @@
 
 namespace solitaire {
 
-/// Entries by index, made when they are asked for, where only few of the indices have one. They stay where
-/// they are in memory.
+/// A table for indices of which only few have an entry. Entries are made when they are first asked for, and
+/// never move in memory.
 template <class Entry>
 class SparseTable {
  public:
-  /// For indices below `size`, if it is not for more already.
+  /// Makes room for indices below `size`, if there is not enough yet.
   void resize(std::size_t size) {
     if (numbers_.size() < size) numbers_.resize(size);
   }
   std::size_t size() const { return numbers_.size(); }
-  /// Null where there is none.
+  /// Returns the entry, or null if there is none.
   Entry* find(std::size_t index) {
     const std::uint32_t number = numbers_[index];
     return number == 0 ? nullptr : &entries_[number - 1];
   }
-  /// Made without a value where there was none.
+  /// Returns the entry, which is made if there was none.
   Entry& operator[](std::size_t index) {
     if (numbers_[index] == 0) {
       entries_.emplace_back();
@@ -29,7 +29,7 @@ class SparseTable {
     }
     return entries_[numbers_[index] - 1];
   }
-  /// All, in no order.
+  /// Returns all entries, in the order in which they were made.
   std::deque<Entry>& entries() { return entries_; }
   void clear() {
     numbers_.clear();

@@ -62,7 +62,8 @@ std::vector<BitModel> ProjectedModels::find(std::span<const XorConstraint> parit
       solver, [&] { return solver.satisfiable(stop); }, most, found);
 }
 
-/// A negative literal holds where its variable does not, so each one turns the equation round.
+/// A negative literal holds where its variable does not, so each negative literal changes odd to even and
+/// back.
 void ProjectedModels::add(const XorConstraint& parity, XorSolver& solver) const {
   std::vector<int> variables;
   bool odd = parity.odd;
@@ -88,7 +89,7 @@ template <class ModelSolver, class Satisfiable>
 std::vector<BitModel> ProjectedModels::list(ModelSolver& solver, Satisfiable satisfiable, std::size_t most,
                                             std::atomic<std::uint64_t>* found) const {
   std::vector<BitModel> models;
-  std::vector<int> other;  // than the model found last
+  std::vector<int> other;  // a clause that the model found last does not fulfil
   while (models.size() < most && satisfiable()) {
     BitModel& model = models.emplace_back();
     other.clear();

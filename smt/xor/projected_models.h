@@ -20,7 +20,8 @@ struct XorConstraint {
   bool odd = false;
 };
 
-/// The models of a set of clauses, projected on some of their literals: two that agree on these are one.
+/// Finds the models of a set of clauses, projected on some of their literals: models that agree on these
+/// count as one.
 ///
 /// Parities are the business of CryptoMiniSat (Soos, Nohl and Castelluccia, "Extending SAT Solvers to
 /// Cryptographic Problems", 2009), which knows them as constraints of their own; without any, CaDiCaL is
@@ -29,13 +30,13 @@ class ProjectedModels : public ClauseSink {
  public:
   /// Takes all clauses before the first search.
   void clause(std::span<const int> literals) override;
-  /// The literals to project on, of different variables, as clauses number them.
+  /// Sets the literals to project on, which belong to different variables, as clauses number them.
   void project_on(std::vector<int> literals);
   std::size_t bits() const { return projection_.size(); }
 
-  /// Different models that fulfil the parities: all, or `most` of them. Which these are and in which order
-  /// they come depends on the clauses and the parities alone. `found`, if any, says how many there are by
-  /// now. Throws Interrupted.
+  /// Returns different models that fulfil the parities: all, or `most` of them. Which these are, and their
+  /// order, depends on the clauses and the parities alone. `found`, if not null, is told the number of models
+  /// so far. Throws Interrupted.
   std::vector<BitModel> find(std::span<const XorConstraint> parities, std::size_t most,
                              const StopSignal& stop, std::atomic<std::uint64_t>* found = nullptr) const;
 

@@ -17,9 +17,9 @@ class XorSolver {
   explicit XorSolver(int variables);
   ~XorSolver();
 
-  /// From now on at least one of the literals holds.
+  /// Requires that at least one of the literals holds.
   void clause(std::span<const int> clause);
-  /// From now on the number of these variables that are true is odd, or even.
+  /// Requires that the number of these variables that are true is odd, or even.
   void add_xor(std::span<const int> variables, bool odd);
   /// Returns true if the constraints have a model. Throws Interrupted.
   bool satisfiable(const StopSignal& stop);

@@ -11,7 +11,8 @@
 
 namespace solitaire {
 
-/// The column of the operation table that says how Z3 gets each operation. Choices are encoded apart.
+/// The column of the operation table that says how each operation is written for Z3. Choices are encoded
+/// elsewhere.
 struct Encodings {
   using Encoding = z3::expr (*)(const Encoder&, unsigned width, const NodeId* operands);
 
@@ -196,8 +197,8 @@ z3::expr Encoder::less(NodeId a, NodeId b, bool or_equal) const {
   return or_equal ? z3::ule(x, y) : z3::ult(x, y);
 }
 
-/// Truncating division, mended where the remainder has the wrong sign. One bit more keeps the smallest value
-/// divided by -1 from wrapping.
+/// Uses Z3's truncating division, and corrects the result where the remainder has the wrong sign. One more
+/// bit keeps the smallest value divided by -1 from wrapping.
 z3::expr Encoder::floor_divide(NodeId a, NodeId b) const {
   const unsigned bits = common_width(a, b) + (either_signed(a, b) && fixed_width_ == 0 ? 1 : 0);
   const z3::expr x = sized(a, bits);

@@ -19,15 +19,15 @@ class Encoder {
   /// `fixed_width`: 0 for the least widths, else 2 to 63 bits.
   Encoder(z3::context& context, const Graph& graph, const AddressTable& addresses, unsigned fixed_width = 0);
 
-  /// The term of a bool node. Throws UnsupportedOperation and ChoiceTooWide.
+  /// Returns the term of a bool node. Throws UnsupportedOperation and ChoiceTooWide.
   z3::expr condition(NodeId node);
-  /// Whether no int that has been encoded can have a value that its vector does not hold.
+  /// Returns true if the vectors of all encoded ints hold all values that these can have.
   bool exact() const { return exact_; }
-  /// The bounds of choices that have been encoded since the last call; they have to hold.
+  /// Returns the bounds of the choices that have been encoded since the last call. They have to be required.
   std::vector<z3::expr> take_domains();
-  /// The term that stands for a choice variable, if it was encoded; see decode().
+  /// Returns the term that stands for a choice variable, if it was encoded. See decode().
   std::optional<z3::expr> choice_term(std::size_t variable) const;
-  /// The value of a choice, from the value of its term read as an unsigned number.
+  /// Returns the value of a choice, given the value of its term read as an unsigned number.
   std::int64_t decode(std::size_t variable, std::uint64_t bits) const;
 
  private:
@@ -46,9 +46,9 @@ class Encoder {
     return fixed_width_ != 0 ? fixed_width_ : static_cast<unsigned>(bit_width(values));
   }
   bool fits(Interval values) const;
-  /// The node's vector, extended or cut to a width.
+  /// Returns the node's vector, extended or cut to a width.
   z3::expr sized(NodeId node, unsigned width) const;
-  /// The least width at which both can be compared, with a sign bit if either can be negative.
+  /// Returns the least width at which both can be compared, with a sign bit if either can be negative.
   unsigned common_width(NodeId a, NodeId b) const;
   bool either_signed(NodeId a, NodeId b) const { return is_signed(a) || is_signed(b); }
   z3::expr less(NodeId a, NodeId b, bool or_equal) const;

@@ -59,7 +59,7 @@ class Z3Solver : public Solver {
     z3::params params(context_);
     params.set("random_seed", static_cast<unsigned>(options.seed & 0x7fffffffU));
     if (options.random_phase) params.set("phase", context_.str_symbol("random"));
-    params.set("ctrl_c", false);  // else Z3 catches the interrupt while it checks, and nobody hears of it
+    params.set("ctrl_c", false);  // otherwise Z3 would take the interrupt for itself
     solver_.set(params);
   }
 

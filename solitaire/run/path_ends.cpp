@@ -52,7 +52,7 @@ void PathEnds::reset(Effects& effects, std::uint32_t levels) {
 void PathEnds::check_condition(NodeId condition, Span span) {
   if (graph_->node(condition).has_float && !branches_->takes_floats()) {
     unsupported(span, "this condition depends on a float that depends on choices",
-                "the solver knows ints and bools; compute the condition in ints");
+                "solvers know ints and bools: compute the condition in ints, or use 'solitaire sample'");
   }
 }
 

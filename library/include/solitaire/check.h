@@ -9,7 +9,7 @@
 
 namespace solitaire::api {
 
-/// The result of a look for mistakes.
+/// The result of check().
 struct Checked {
   std::vector<Diagnostic> errors;
   std::vector<Diagnostic> warnings;  // what the text allows and hardly means
@@ -19,7 +19,7 @@ struct Checked {
   std::size_t choices = 0, conditions = 0, placed = 0, nodes = 0, closed = 0;
 };
 
-/// Looks for mistakes without looking for solutions: the first one on the paths that are explored beforehand,
+/// Looks for errors without looking for solutions: the first one on the paths that are explored beforehand,
 /// or, `deep`, all of them on every path, each with the choices that lead there. Throws Error: kStopped,
 /// kUsage.
 SOLITAIRE_API Checked check(const Program& program, const Options& options, bool deep = false);

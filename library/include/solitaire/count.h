@@ -21,7 +21,7 @@ struct CountOptions : Options {
   double confidence = 0.9;  // with at least this probability
 };
 
-/// How many solutions there are.
+/// The number of solutions.
 struct Count {
   std::string digits;  // the number, if it is exact, or a bound from below
   double log10 = 0;    // its logarithm, also of an estimate

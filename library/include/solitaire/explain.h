@@ -31,8 +31,9 @@ struct Condition {
 struct Conflict {
   bool minimal = true;  // it is proved that without any one of them the others can hold
   std::vector<Condition> members;
-  std::string text;   // for people: what is alike is told once, and no more than a screen
-  std::string whole;  // all of it for people, each member by itself
+  std::string reason;  // "11 ints that all differ lie among 10 values"; "" where no short one is known
+  std::string text;    // for people: what is alike is told once, and no more than a screen
+  std::string whole;   // all of it for people, each member by itself
 };
 
 class ExplainObserver;

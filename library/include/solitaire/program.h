@@ -34,7 +34,7 @@ class SOLITAIRE_API Program {
  public:
   struct State;
 
-  /// Reads a script and what it imports. Throws Error: kProgram with all mistakes in the texts, or kFile.
+  /// Reads a script and what it imports. Throws Error: kProgram with all errors in the texts, or kFile.
   static Program load(const std::filesystem::path& script, const Files& files = {});
   /// Does the same for a script that stands in no file. `name` is what messages call it; imports and models
   /// are looked for in its folder.

@@ -59,7 +59,7 @@ class SOLITAIRE_API Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  /// Returns the next solution, or nothing: then ending() says why. Throws Error: kProgram for a mistake that
+  /// Returns the next solution, or nothing: then ending() says why. Throws Error: kProgram for an error that
   /// an execution can come to, kUsage for a pin that matches no choice. After std::bad_alloc or an error the
   /// search cannot go on.
   std::optional<Solution> next();
