@@ -8,7 +8,7 @@ namespace solitaire::tiles::bench {
 namespace {
 
 std::shared_ptr<Style> fitted_suburb() {
-  const auto style = style_named("suburb");
+  const auto style = style_named(kSuburb);
   fit_weights(*style, default_shapes(*style), 1, StopSignal());
   return style;
 }
@@ -28,7 +28,7 @@ void peer(Report& report, const std::string& name, const Problem& problem, const
 void peers(Report& report) {
   report.figure("peers: cities with a crossroad every 20 tiles; an attempt ends after 20 s",
                 "does not have this");
-  const auto hard = style_named("suburb"), fitted = fitted_suburb();
+  const auto hard = style_named(kSuburb), fitted = fitted_suburb();
   SamplerOptions once = options_of(SamplerKind::kWfc);
   once.effort = 1;
   SamplerOptions start = options_of(SamplerKind::kWindows);

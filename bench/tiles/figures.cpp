@@ -16,9 +16,7 @@ constexpr double kEpsilon = 0.1;
 constexpr int kSide = 20;
 const std::vector<Size> kFours{{{4, 1, 1}}, {{1, 4, 1}}};
 
-std::shared_ptr<Style> soft_facade(double epsilon = kEpsilon) {
-  return step_style("facade", kFours, epsilon);
-}
+std::shared_ptr<Style> soft_facade(double epsilon = kEpsilon) { return step_style(kFacade, kFours, epsilon); }
 
 /// Returns how many patches of a map some exemplar has, as the logarithm of what they multiply.
 double score(const Style& style, const Grid& map) {
@@ -45,7 +43,7 @@ double l_divergence(Report& report, const std::string& name, const std::shared_p
 
 void texture_synthesis(Report& report) {
   report.figure("figure 7: texture synthesis leaves seams", "shown");
-  const auto style = style_named("facade");
+  const auto style = style_named(kFacade);
   std::size_t least = SIZE_MAX, most = 0;
   for (std::uint64_t number = 0; number < 5; ++number) {
     RandomStream random(number, Purpose::kTiles, 0);
@@ -60,7 +58,7 @@ void texture_synthesis(Report& report) {
 void facades_in_an_l(Report& report) {
   report.figure("figures 8 and 9: facades of 20x20 in an L, divergence from the exemplar",
                 "CSP .907, BlockSS with hard factors .651, with soft ones .528");
-  const auto hard = style_named("facade"), soft = soft_facade(), fitted = style_named("facade");
+  const auto hard = style_named(kFacade), soft = soft_facade(), fitted = style_named(kFacade);
   std::vector<Size> shapes = default_shapes(*fitted);
   shapes.insert(shapes.end(), kFours.begin(), kFours.end());
   fit_weights(*fitted, shapes, 1, StopSignal());
@@ -96,7 +94,7 @@ void burn_in(Report& report) {
 void single_sites(Report& report) {
   report.figure("figure 11: single-site sampling against BlockSS",
                 "BlockSS 90 times as fast at 100 tiles, 7000 at 900; 1600 tiles: 2 min against never");
-  const auto style = style_named("facade");
+  const auto style = style_named(kFacade);
   bool holds = true;
   for (const int side : {10, 20, 30}) {
     const Problem problem = facade(style, side, side);
@@ -114,7 +112,7 @@ void single_sites(Report& report) {
 
 void sizes_of_blocks(Report& report) {
   report.figure("figure 12: larger blocks are faster", "yes");
-  const auto style = style_named("facade");
+  const auto style = style_named(kFacade);
   std::vector<double> seconds;
   std::string text;
   for (int blocks = 1; blocks <= 6; ++blocks) {
@@ -129,7 +127,7 @@ void sizes_of_blocks(Report& report) {
 void growing_cities(Report& report) {
   report.figure("figure 13, left: cities with a crossroad every 20 tiles are linear in the area",
                 "yes; 170x170 in 5 min");
-  const auto hard = style_named("suburb"), soft = step_style("suburb", {{{2, 2, 1}}, {{4, 4, 1}}}, kEpsilon);
+  const auto hard = style_named(kSuburb), soft = step_style(kSuburb, {{{2, 2, 1}}, {{4, 4, 1}}}, kEpsilon);
   std::vector<double> rates;
   double last = 0;
   for (const int side : {20, 60, 85, 120, 170}) {
@@ -147,7 +145,7 @@ void growing_cities(Report& report) {
 
 void growing_facades(Report& report) {
   report.figure("figure 13, right: facades get harder faster than they grow", "yes");
-  const auto style = style_named("facade");
+  const auto style = style_named(kFacade);
   std::vector<double> seconds;
   std::string text;
   for (const int side : {10, 20, 30, 40}) {

@@ -34,7 +34,7 @@ const Size kFourAcross{{4, 1, 1}}, kFourDown{{1, 4, 1}};
 
 std::shared_ptr<Style> style_named(const std::string& name) {
   Request request;
-  request.exemplars.push_back({SOLITAIRE_SOURCE_DIR "/examples/tiles/" + name + ".txt", "", false, false});
+  request.exemplars.push_back({SOLITAIRE_SOURCE_DIR "/" + name + ".txt", "", false, false});
   return read_style(request);
 }
 
@@ -63,7 +63,7 @@ Problem facade(std::shared_ptr<const Style> style, int width, int height) {
 
 Problem facade_in_l(std::shared_ptr<const Style> style, int side) {
   return with_outline(std::move(style), side, side, [=](int x, int y) {
-    const bool in_corner = x >= side / 2 && y <= side / 2;
+    const bool in_corner = x >= side / 2 && y < side / 2;
     return y + 1 < side && (x == 0 || x + 1 == side || y == 0 || in_corner);
   });
 }

@@ -6,7 +6,12 @@
 
 namespace solitaire::tiles::bench {
 
-/// Reads the exemplar of that name in examples/tiles, without weights.
+/// The exemplars, in the folder of the sources. The facade is plainer than that of the examples: courses of
+/// stone that run through a whole storey are too hard for BlockSS.
+inline constexpr const char* kFacade = "bench/tiles/facade";
+inline constexpr const char* kSuburb = "examples/tiles/suburb";
+
+/// Reads one of them, without weights.
 std::shared_ptr<Style> style_named(const std::string& name);
 /// The same with soft factors of the paper's kind.
 std::shared_ptr<Style> step_style(const std::string& name, const std::vector<Size>& shapes, double epsilon);

@@ -63,5 +63,18 @@ TEST_CASE("fitting, counting and explaining end when they are asked to") {
   CHECK_THROWS_AS(Job(streets(300, 300), StopSoon()).explain(), Interrupted);
 }
 
+TEST_CASE("the examples make maps") {
+  for (const std::string name : {"facade", "frame", "pipes", "platforms", "suburb", "urban"}) {
+    CAPTURE(name);
+    JobOptions options;
+    options.inputs = {SOLITAIRE_SOURCE_DIR "/examples/tiles/" + name + ".tiles.json"};
+    options.weights = WeightsKind::kStep;
+    if (name == "pipes" || name == "platforms") options.width = options.height = 18;
+    options.sampling.anneal = 2;
+    options.sampling.sweeps = 1;
+    CHECK(Job(options).run([](std::uint64_t) {}) == JobEnding::kDone);
+  }
+}
+
 }  // namespace
 }  // namespace solitaire::tiles
