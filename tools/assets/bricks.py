@@ -21,7 +21,8 @@ GLOWING = Surface("glow", (0.98, 0.62, 0.18), 0.5, 0, 0.8)
 def _studs(model, columns, rows, top, skip=()):
     """Studs on a top that is centred over the origin."""
     few = columns * rows <= 16
-    rings = [(0.0024, top), (0.0024, top + 0.0015), (0.0022, top + 0.0017)] if few else [(0.0024, top), (0.0024, top + 0.0017)]
+    low = top - 0.0002   # within the body, so that no two faces lie on each other
+    rings = [(0.0024, low), (0.0024, top + 0.0015), (0.0022, top + 0.0017)] if few else [(0.0024, low), (0.0024, top + 0.0017)]
     for i in range(columns):
         for k in range(rows):
             if (i, k) in skip:

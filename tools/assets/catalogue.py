@@ -5,16 +5,22 @@ import bricks
 import building
 import classroom
 import dungeon
+import garden
+import houses
 import kitchen
 import living
 import office
+import outdoors
 import platform_game
 import restaurant
 import shapes
-import street
+import shop
+import streets
+import vehicles
 
 SETS = {
     "living": living, "kitchen": kitchen, "bedroom": bedroom, "bathroom": bathroom, "office": office,
     "classroom": classroom, "restaurant": restaurant, "building": building, "shapes": shapes,
-    "bricks": bricks, "platform": platform_game, "dungeon": dungeon, "street": street,
+    "bricks": bricks, "platform": platform_game, "dungeon": dungeon, "streets": streets,
+    "vehicles": vehicles, "houses": houses, "outdoors": outdoors, "garden": garden, "shop": shop,
 }

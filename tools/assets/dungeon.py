@@ -56,11 +56,14 @@ def _gateway(model):
         outline = [(r * math.cos(t), 1.08 + r * math.sin(t) * 0.8) for r, t in ((inner, a), (outer, a), (outer, b), (inner, b))]
         model.extruded(outline, -0.2, 0.2)
     angles = [math.pi * i / 12 for i in range(13)]
-    arc = [[(r * math.cos(t), 1.08 + r * math.sin(t) * 0.8) for t in angles] for r in (inner + 0.01, outer - 0.01)]
-    model.of(MORTAR).extruded(arc[1] + arc[0][::-1], -0.185, 0.185)
+    arcs = [[(r * math.cos(t), 1.08 + r * math.sin(t) * 0.8) for t in angles] for r in (inner + 0.01, outer - 0.01)]
+    model.of(MORTAR).extruded(arcs[1] + arcs[0][::-1], -0.185, 0.185)
     for s in SIDES:
         x0, x1 = sorted((s * 0.49, s * 0.37))
         model.block((x0, 0, -0.185), (x1, 1.08, 0.185))
+    # What fills the corners above, so that a wall can end at a straight edge.
+    rim = [(0.5 * math.cos(t), 1.08 + 0.5 * math.sin(t) * 0.8) for t in angles]
+    model.of(STONE).extruded(rim + [(-0.5, 1.5), (0.5, 1.5)], -0.18, 0.18)
 
 
 def _arched(half, foot, top):
@@ -69,7 +72,7 @@ def _arched(half, foot, top):
 
 def dungeon_door():
     """Of planks, in a stone arch; a program's colour paints the planks, as of a lock that a key of this colour opens."""
-    m = Model("dungeon_door").of(PLANK).extruded(_arched(0.36, 0, 1.08), -0.05, 0.05)
+    m = Model("dungeon_door", role="opening").of(PLANK).extruded(_arched(0.36, 0, 1.08), -0.05, 0.05)
     for x in (-0.18, 0, 0.18):
         for s in SIDES:
             m.of(SOIL).block((x - 0.006, 0.02, s * 0.0525 - 0.0025), (x + 0.006, 1.28, s * 0.0525 + 0.0025))
@@ -86,7 +89,7 @@ def dungeon_door():
 
 
 def portcullis():
-    m = Model("portcullis").of(IRON)
+    m = Model("portcullis", role="opening").of(IRON)
     for i in range(5):
         x = -0.28 + i * 0.14
         m.rod((x, 0.06, 0), (x, 1.3 - abs(x) * 0.5, 0), 0.022, 8).turned(x, 0, [(0, 0), (0.028, 0.07)], 8)
@@ -98,7 +101,7 @@ def portcullis():
 
 def dungeon_arch():
     """A way without a door."""
-    m = Model("dungeon_arch")
+    m = Model("dungeon_arch", role="opening")
     _gateway(m)
     return m
 
