@@ -25,3 +25,11 @@ draw_sheet workspaces workspace
 draw workspace workspace --seed 1
 draw workspace_open workspace_open
 draw office office
+draw classroom classroom
+draw flat flat
+draw_sheet spaceships spaceship
+draw spaceship spaceship --seed 3
+
+# The models, a sheet for each set.
+"$solitaire" assets --png --png-size 240x180 --quiet -o "$work/models" >/dev/null
+cp "$work"/models/models-*.png "$images/"
