@@ -18,7 +18,7 @@ std::vector<fs::path> files_with(const fs::path& folder, const std::string& exte
   return paths;
 }
 
-TEST_CASE("examples: their scenes are valid glTF, without a warning, and read by assimp") {
+TEST_CASE("examples: their scenes are valid glTF, without a warning, and assimp and three.js find in them what they hold") {
   const fs::path root = SOLITAIRE_SOURCE_DIR;
   const Workplace place;
   std::vector<std::string> validate = {"node", (root / "tests/gltf/validate.mjs").string()};
@@ -40,6 +40,11 @@ TEST_CASE("examples: their scenes are valid glTF, without a warning, and read by
   CAPTURE(report.out);
   CAPTURE(report.err);
   CHECK(report.status == 0);
+  validate[1] = (root / "tests/gltf/read.mjs").string();
+  const Outcome read = run(validate);
+  CAPTURE(read.out);
+  CAPTURE(read.err);
+  CHECK(read.status == 0);
 }
 
 }  // namespace
