@@ -82,6 +82,15 @@ void add_trace_options(CLI::App& command, Options& options) {
                       .description("text|dot|smt2"));
 }
 
+void add_asset_options(CLI::App& command, Options& options) {
+  command.add_option("NAME", options.models, "names of models, or of sets such as kitchen; all without any");
+  add_assets_option(command, options);
+  command.add_flag("--json", options.json, "a JSON object a line");
+  add_picture_options(command, options);
+  command.add_option("-o,--output", options.output, "the folder that --png writes to (default out)");
+  command.add_flag("-q,--quiet", options.quiet, "no summary");
+}
+
 struct Subcommand {
   const char* name;
   const char* description;
@@ -100,6 +109,7 @@ constexpr Subcommand kSubcommands[] = {
     {"sample", "draw executions by how probable they are, and sum up what the program returns",
      sample_command, add_sampling_options},
     {"trace", "print the trace graph of a program", trace_command, add_trace_options},
+    {"assets", "list the models that programs can place, and draw them", assets_command, add_asset_options},
     {"tiles", "make maps of tiles that look like small exemplars", tiles_command, add_tiles_options},
 };
 

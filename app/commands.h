@@ -14,6 +14,7 @@ ExitStatus explain_command(const Options& options, Watchdog& watchdog);
 ExitStatus count_command(const Options& options, Watchdog& watchdog);
 ExitStatus sample_command(const Options& options, Watchdog& watchdog);
 ExitStatus trace_command(const Options& options, Watchdog& watchdog);
+ExitStatus assets_command(const Options& options, Watchdog& watchdog);
 ExitStatus tiles_command(const Options& options, Watchdog& watchdog);
 
 }  // namespace solitaire::app

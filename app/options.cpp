@@ -112,8 +112,20 @@ void add_pin_options(CLI::App& command, Options& options) {
 
 }  // namespace
 
+void add_assets_option(CLI::App& command, Options& options) {
+  command
+      .add_option(
+          "--assets", options.assets,
+          "a folder with models (NAME.glb), looked into before the bundled ones; can be given several times")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("DIR")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_program_options(CLI::App& command, Options& options) {
   command.add_option("FILE", options.script, "the script, a .sol file")->required();
+  add_assets_option(command, options);
   add_repeatable(command, "--set", options.settings,
                  "set a param of the program: NAME=VALUE; can be given several times")
       ->check(CLI::Validator(check_setting, "NAME=VALUE"));

@@ -28,11 +28,13 @@ struct TilesOptions;
 /// What the command line asks for.
 struct Options {
   std::string script;
-  std::vector<std::string> settings;   // NAME=VALUE
-  std::vector<std::string> data;       // NAME=FILE
-  SearchOptions search;                // without pins; Session adds them
-  std::vector<std::string> pins;       // ADDRESS=VALUE
-  std::vector<std::string> forbidden;  // ADDRESS=VALUE
+  std::vector<std::string> settings;          // NAME=VALUE
+  std::vector<std::string> data;              // NAME=FILE
+  SearchOptions search;                       // without pins; Session adds them
+  std::vector<std::string> pins;              // ADDRESS=VALUE
+  std::vector<std::string> forbidden;         // ADDRESS=VALUE
+  std::vector<std::filesystem::path> assets;  // folders with models of the user's
+  std::vector<std::string> models;            // names of models or sets; none for all
   std::filesystem::path output = "out";
   std::optional<std::filesystem::path> formula;  // where what is left at the end is written to
   bool json = false;
@@ -63,6 +65,8 @@ void add_solver_options(CLI::App& command, Options& options);
 void add_search_options(CLI::App& command, Options& options);
 /// Adds the options of the subcommand that writes scenes.
 void add_picture_options(CLI::App& command, Options& options);
+/// Adds the folders with models.
+void add_assets_option(CLI::App& command, Options& options);
 /// Adds those of the subcommand that counts.
 void add_count_options(CLI::App& command, Options& options);
 /// Adds those of the subcommand that draws samples.

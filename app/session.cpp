@@ -18,7 +18,7 @@ std::filesystem::path data_folder() {
 }
 
 Program load(const Options& options) {
-  Program program = Program::load(options.script, {.data = data_folder()});
+  Program program = Program::load(options.script, files_of(options));
   for (const std::string& setting : options.settings) {
     const std::size_t sign = setting.find('=');
     program.set(setting.substr(0, sign), setting.substr(sign + 1));
@@ -41,6 +41,8 @@ SearchOptions asked(const Options& options) {
 }
 
 }  // namespace
+
+Files files_of(const Options& options) { return {.data = data_folder(), .assets = options.assets}; }
 
 Session::Session(const Options& options) : program(load(options)), search(asked(options)) {}
 

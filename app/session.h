@@ -5,6 +5,9 @@
 
 namespace solitaire::app {
 
+/// Returns where programs and models are read from.
+Files files_of(const Options& options);
+
 /// A script that is loaded, with its params set, and what is asked about it: what every subcommand starts
 /// from.
 struct Session {

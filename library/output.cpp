@@ -37,10 +37,6 @@ std::string shortened(const std::string& text) {
   return text.substr(0, end) + " …";
 }
 
-AssetLibrary assets_of(const Program& program) {
-  return {program.state().data / "assets", program.state().program.folder()};
-}
-
 /// Returns true if the file is there and shows the scene: it was neither removed nor cut short since.
 bool is_written(const Scene& scene, const fs::path& file) {
   try {
@@ -69,7 +65,7 @@ void write_glb(const Solution& solution, const Program& program, const std::stri
                const fs::path& path) {
   translated(program.state().program.sources, [&] {
     if (solution.placements.empty()) throw FileError(path.string(), "the solution places nothing");
-    AssetLibrary assets = assets_of(program);
+    AssetLibrary assets = program.state().asset_library();
     solitaire::write_glb(scene_of(solution, title, assets), path);
   });
 }
@@ -92,7 +88,7 @@ class OutputFolder::State {
         program_(program),
         options_(options),
         timings_(timings),
-        assets_(assets_of(program)),
+        assets_(program.state().asset_library()),
         lock_(made_folder(folder)),
         page_(folder, program.state().data / "page") {
     if (pictures)

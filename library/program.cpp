@@ -2,6 +2,7 @@
 
 #include "base/installation.h"
 #include "library/data_file.h"
+#include "library/known_models.h"
 #include "library/program_files.h"
 #include "library/program_state.h"
 #include "library/translate.h"
@@ -14,10 +15,13 @@ std::shared_ptr<Program::State> state_of(const std::filesystem::path& script, co
   auto state = std::make_shared<Program::State>();
   state->script = script;
   state->data = files.data.empty() ? installed_data() : files.data;
+  state->assets = files.assets;
   return state;
 }
 
-LoadOptions load_options(const Program::State& state) { return {{state.data, state.data / "solitaire"}}; }
+LoadOptions load_options(const Program::State& state) {
+  return {{state.data, state.data / "solitaire"}, std::make_shared<KnownModels>(state.asset_library())};
+}
 
 std::shared_ptr<const Program::State> loaded(const std::filesystem::path& script, const Files& files,
                                              const ProgramFiles& texts) {
@@ -53,6 +57,10 @@ Analysis analyze(const std::filesystem::path& script, const Files& files) {
   state->program = std::move(analysis.program);
   made.program = Program(state);
   return made;
+}
+
+AssetLibrary Program::State::asset_library() const {
+  return {data / "assets", DiskFiles().canonical(script).parent_path(), assets};
 }
 
 Program::Program(std::shared_ptr<const State> state) : state_(std::move(state)) {}

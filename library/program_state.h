@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/assets.h"
 #include "solitaire/names/analyze.h"
 #include "solitaire/names/program.h"
 #include "solitaire/run/evaluator.h"
@@ -12,9 +13,13 @@
 namespace solitaire::api {
 
 struct Program::State {
-  std::filesystem::path script;  // as it was named
-  std::filesystem::path data;    // see Files
+  std::filesystem::path script;               // as it was named
+  std::filesystem::path data;                 // see Files
+  std::vector<std::filesystem::path> assets;  // see Files
   solitaire::Program program;
+
+  /// Returns the models that the program can place.
+  AssetLibrary asset_library() const;
 };
 
 /// Returns the values of params that were set, which belong to the caller's thread. Throws Error (kUsage).

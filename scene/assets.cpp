@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <set>
 #include <utility>
 
 #include "base/nearest_name.h"
@@ -64,12 +65,13 @@ void read_front(const AssetModel& model, Asset& asset) {
   if (asset.has_front) asset.front_turns = static_cast<int>(side - kByTurns.begin());
 }
 
-/// An author may also state that a model keeps its proportions ("keeps_proportions": true), and that it is a
-/// wall or what opens walls ("role": "wall" or "opening").
+/// An author may also state that a model keeps its proportions ("keeps_proportions": true), that it is a
+/// wall or what opens walls ("role": "wall" or "opening"), and the set that it belongs to ("set": "kitchen").
 void read_use(const AssetModel& model, Asset& asset) {
   const auto& extras = model.gltf.nodes[static_cast<std::size_t>(model.roots.front())].extras;
   if (extras.Has("keeps_proportions") && extras.Get("keeps_proportions").IsBool())
     asset.keeps_proportions = extras.Get("keeps_proportions").Get<bool>();
+  if (extras.Has("set") && extras.Get("set").IsString()) asset.set = extras.Get("set").Get<std::string>();
   if (!extras.Has("role") || !extras.Get("role").IsString()) return;
   const auto& role = extras.Get("role").Get<std::string>();
   if (role == "wall") asset.role = Asset::Role::kWall;
@@ -116,20 +118,30 @@ std::string shortened(const std::string& name) {
   return name.size() <= kLongestNamed ? name : name.substr(0, kLongestNamed) + "...";
 }
 
-std::vector<std::string> bundled_names(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
-    if (file.path().extension() == ".glb") names.push_back(file.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());  // the folder has them in any order
-  return names;
-}
-
 }  // namespace
 
-AssetLibrary::AssetLibrary(fs::path bundled, fs::path script_folder)
-    : bundled_(std::move(bundled)), script_folder_(std::move(script_folder)) {}
+Vec3 natural_size(const Asset& asset) {
+  const Vec3 size = asset.box.size();
+  return asset.front_turns % 2 == 0 ? Vec3{size[0], size[2], size[1]} : Vec3{size[2], size[0], size[1]};
+}
+
+AssetLibrary::AssetLibrary(fs::path bundled, fs::path script_folder, std::vector<fs::path> own)
+    : folders_(std::move(own)), script_folder_(std::move(script_folder)) {
+  folders_.push_back(std::move(bundled));
+}
+
+std::vector<std::string> AssetLibrary::names() const {
+  std::set<std::string> names;
+  for (const fs::path& folder : folders_) {
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(folder, missing)) {
+      const std::string name = entry.path().stem().string();
+      if (entry.path().extension() == ".glb" && can_be_bundled(name)) names.insert(name);
+    }
+    if (missing) throw SceneError(fmt::format("cannot read {}: {}", folder.string(), missing.message()));
+  }
+  return {names.begin(), names.end()};
+}
 
 const Asset* AssetLibrary::find(const std::string& name, const std::string& folder) {
   const std::pair key(name, folder);
@@ -137,8 +149,13 @@ const Asset* AssetLibrary::find(const std::string& name, const std::string& fold
   const Asset* asset = nullptr;
   if (is_path(name)) {
     asset = load(name, file_of(name, folder));
-  } else if (std::error_code none; can_be_bundled(name) && fs::exists(bundled_ / (name + ".glb"), none)) {
-    asset = load(name, bundled_ / (name + ".glb"));
+  } else if (can_be_bundled(name)) {
+    const auto has_it = [&](const fs::path& each) {
+      std::error_code none;
+      return fs::exists(each / (name + ".glb"), none);
+    };
+    const auto found = std::find_if(folders_.begin(), folders_.end(), has_it);
+    if (found != folders_.end()) asset = load(name, *found / (name + ".glb"));
   }
   return by_name_[key] = asset;
 }
@@ -166,7 +183,7 @@ std::string AssetLibrary::boxes_note() const {
     const std::string& name = key.first;
     if (asset != nullptr || name.empty() || name == "box") continue;
     if (std::ranges::find(boxes, name) != boxes.end()) continue;
-    if (models.empty()) models = bundled_names(bundled_);
+    if (models.empty()) models = names();
     boxes.push_back(name);
   }
   const std::size_t count = boxes.size();

@@ -20,6 +20,7 @@ struct Asset {
   enum class Role : std::uint8_t { kThing, kWall, kOpening };
 
   std::string name;     // "chair"
+  std::string set;      // "living", or ""
   Box3 box;             // of all its vertices; glTF axes, metres
   int front_turns = 0;  // quarter turns about +Y that bring its front to +Z
   bool has_front = true;
@@ -30,15 +31,23 @@ struct Asset {
   std::shared_ptr<const AssetModel> model;
 };
 
+/// Returns the size of an asset seen from its front: width, depth, height.
+Vec3 natural_size(const Asset& asset);
+
 /// Finds and loads assets, each file once. Only one thread at a time may use it.
 class AssetLibrary {
  public:
-  /// `bundled` holds NAME.glb files; paths that programs write are relative to `script_folder`.
-  AssetLibrary(std::filesystem::path bundled, std::filesystem::path script_folder);
+  /// `bundled` holds NAME.glb files, and so do the folders in `own`, which are looked into before it; paths
+  /// that programs write are relative to `script_folder`.
+  AssetLibrary(std::filesystem::path bundled, std::filesystem::path script_folder,
+               std::vector<std::filesystem::path> own = {});
 
-  /// Returns a bundled asset by its name, or the user's own by a path that ends in .glb or .gltf, which is
-  /// looked for in `folder`, relative to the script's, and then beside the script. Returns nullptr if no
-  /// asset has this name; a scene shows a box then. Throws SceneError for a file that is missing, broken or
+  /// Returns the names of all assets in these folders, sorted.
+  std::vector<std::string> names() const;
+
+  /// Returns an asset of these folders by its name, or the user's own by a path that ends in .glb or .gltf,
+  /// which is looked for in `folder`, relative to the script's, and then beside the script. Returns nullptr if
+  /// no asset has this name; a scene shows a box then. Throws SceneError for a file that is missing, broken or
   /// not supported. The asset lives as long as the library.
   const Asset* find(const std::string& name, const std::string& folder = "");
 
@@ -51,7 +60,7 @@ class AssetLibrary {
   std::string boxes_note() const;
   const Asset* load(const std::string& name, const std::filesystem::path& file);
 
-  std::filesystem::path bundled_;
+  std::vector<std::filesystem::path> folders_;  // the first that has a name counts
   std::filesystem::path script_folder_;
   std::map<std::pair<std::string, std::string>, const Asset*> by_name_;  // and folder
   std::map<std::filesystem::path, Asset> by_file_;

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "scene/error.h"
 #include "scene/names.h"
 #include "scene/openings.h"
+#include "scene/thing_options.h"
 
 namespace solitaire {
 namespace {
@@ -18,22 +17,20 @@ namespace {
 constexpr double kThinnest = 0.001;  // metres; a size of 0 would leave a node that cannot be inverted
 constexpr double kLargest = 1e7;     // metres; beyond it 32-bit floats no longer tell centimetres apart
 
-[[noreturn]] void fail(const PlacedThing& thing, std::string_view what) {
-  throw SceneError(fmt::format("{}: {} ({})", thing.source, what, thing.address));
-}
-
-/// Returns the size of an asset seen from its front: width, depth, height.
-Vec3 natural_size(const Asset& asset) {
-  const Vec3 size = asset.box.size();
-  return asset.front_turns % 2 == 0 ? Vec3{size[0], size[2], size[1]} : Vec3{size[2], size[0], size[1]};
+/// Returns the size that a thing has if its program says nothing: width, depth, height.
+Vec3 own_size(const Asset* asset, double unit, double scale) {
+  Vec3 size = asset ? natural_size(*asset) : Vec3{unit, unit, unit};
+  for (double& length : size) length *= scale;
+  return size;
 }
 
 /// Returns the size that the program asks for: width, depth, height.
-Vec3 wanted_size(const PlacedThing& thing, const Asset* asset, double unit) {
+Vec3 wanted_size(const PlacedThing& thing, const Asset* asset, double unit, double scale) {
   const auto& wanted = thing.size;
+  if (!wanted.empty() && scale != 1) refuse(thing, "'scale' stands beside 'size': give one of them");
   if (!wanted.empty() && wanted.size() != 2 && wanted.size() != 3)
-    fail(thing, "size needs [w, d] or [w, d, h]");
-  if (wanted.empty()) return asset ? natural_size(*asset) : Vec3{unit, unit, unit};
+    refuse(thing, "size needs [w, d] or [w, d, h]");
+  if (wanted.empty()) return own_size(asset, unit, scale);
   Vec3 size{wanted[0] * unit, wanted[1] * unit, 0};
   if (wanted.size() == 3) {
     size[2] = wanted[2] * unit;
@@ -41,7 +38,7 @@ Vec3 wanted_size(const PlacedThing& thing, const Asset* asset, double unit) {
     size[2] = asset ? natural_size(*asset)[2] : std::min(size[0], size[1]);
   }
   for (double& length : size) {
-    if (!(length >= 0 && length <= kLargest)) fail(thing, "size is negative, not finite or beyond measure");
+    if (!(length >= 0 && length <= kLargest)) refuse(thing, "size is negative, not finite or beyond measure");
     length = std::max(length, kThinnest);
   }
   return size;
@@ -56,20 +53,22 @@ Vec3 fitted_size(const PlacedThing& thing, const Asset* asset, const Vec3& wante
   return {natural[0] * scale, natural[1] * scale, natural[2] * scale};
 }
 
-PlacedBox place_box(const PlacedThing& thing, const Asset* asset, double unit) {
+PlacedBox place_box(const PlacedThing& thing, const ThingOptions& options, const Asset* asset, double unit) {
   PlacedBox box;
-  const Vec3 wanted = wanted_size(thing, asset, unit);
+  const Vec3 wanted = wanted_size(thing, asset, unit, options.scale);
   box.size = fitted_size(thing, asset, wanted);
   const int turn = ((thing.turn % 4) + 4) % 4;
   box.angle = thing.angle ? *thing.angle : turn * 90.0;
+  box.pitch = options.pitch;
+  box.roll = options.roll;
   const bool swapped = !thing.angle && turn % 2 == 1;
   const Vec3 half{wanted[swapped ? 1 : 0] / 2, wanted[swapped ? 0 : 1] / 2, 0};
   for (int axis = 0; axis < 3; ++axis) {
     const double low = thing.at[axis] * unit;
-    if (!(std::abs(low) <= kLargest)) fail(thing, "at is not finite or beyond measure");
+    if (!(std::abs(low) <= kLargest)) refuse(thing, "at is not finite or beyond measure");
     box.center[axis] = low + half[axis];
   }
-  if (!std::isfinite(box.angle)) fail(thing, "angle is not finite");
+  if (!std::isfinite(box.angle)) refuse(thing, "angle is not finite");
   return box;
 }
 
@@ -83,7 +82,7 @@ Transform node_transform(const PlacedBox& box, const Asset* asset) {
   const Vec3 natural = model.size();
   const bool swapped = front_turns % 2 == 1;
   Transform transform;
-  transform.rotation = about_up(box.angle + front_turns * 90);
+  transform.rotation = orientation(box, front_turns * 90);
   transform.scale = {stretch(box.size[swapped ? 1 : 0], natural[0]), stretch(box.size[2], natural[1]),
                      stretch(box.size[swapped ? 0 : 1], natural[2])};
   const Vec3 model_base{(model.low[0] + model.high[0]) / 2, model.low[1], (model.low[2] + model.high[2]) / 2};
@@ -93,42 +92,43 @@ Transform node_transform(const PlacedBox& box, const Asset* asset) {
   return transform;
 }
 
-/// Returns the material that a further argument names, nothing if there is no such argument.
-std::optional<Paint> material_of(const PlacedThing& thing) {
-  const auto named =
-      std::ranges::find(thing.extras, "material", [](const auto& extra) { return extra.first; });
-  if (named == thing.extras.end()) return std::nullopt;
-  const auto name = nlohmann::json::parse(named->second, nullptr, false);
-  const auto material = name.is_string() ? material_named(name.get<std::string>()) : std::nullopt;
-  if (!material)
-    fail(thing, fmt::format("there is no material {}; there are {}", named->second, material_names()));
+std::optional<Paint> material_of(const PlacedThing& thing, const ThingOptions& options) {
+  if (!options.material) return std::nullopt;
+  const std::string& text = *options.material;
+  const auto material =
+      text.starts_with('"') ? material_named(text.substr(1, text.size() - 2)) : std::nullopt;
+  if (!material) refuse(thing, fmt::format("there is no material {}; there are {}", text, material_names()));
   return material;
 }
 
 /// Returns what the thing is painted with. A colour beside a material tints it: the finish stays.
-std::optional<Paint> paint_of(const PlacedThing& thing, const Asset* asset) {
-  std::optional<Paint> paint = material_of(thing);
+std::optional<Paint> paint_of(const PlacedThing& thing, const ThingOptions& options, const Asset* asset) {
+  std::optional<Paint> paint = material_of(thing, options);
   if (!paint && (thing.color || !asset)) paint = Paint{"", color_of_name(thing.asset), std::nullopt};
   if (thing.color) paint->color = *thing.color;
+  if (thing.color && asset && !options.material) paint->tints = options.tint;
   return paint;
 }
 
 SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& assets) {
+  const ThingOptions options = read_options(thing);
   SceneObject object;
   object.thing = thing;
   try {
     object.asset = assets.find(thing.asset, thing.folder);
   } catch (const SceneError& error) {
-    fail(thing, error.what());
+    refuse(thing, error.what());
   }
-  object.box = place_box(thing, object.asset, unit);
-  object.paint = paint_of(thing, object.asset);
-  object.color = object.paint ? object.paint->color : object.asset->color;
+  object.box = place_box(thing, options, object.asset, unit);
+  object.paint = paint_of(thing, options, object.asset);
+  object.color = object.paint ? object.paint->over(object.asset ? object.asset->color : Color{1, 1, 1})
+                              : object.asset->color;
+  object.parents = options.parents.empty() ? thing.groups : options.parents;
   object.node_transform = node_transform(object.box, object.asset);
   return object;
 }
 
-/// Builds the tree of the program's calls, in the order of its run.
+/// Builds the tree of the program's calls, or of the parents that it names, in the order of its run.
 class TreeBuilder {
  public:
   explicit TreeBuilder(Scene& scene) : scene_(scene) {
@@ -137,7 +137,7 @@ class TreeBuilder {
 
   void add(std::size_t object) {
     std::size_t parent = 0;
-    for (const std::string& call : scene_.objects[object].thing.groups) parent = group(parent, call);
+    for (const std::string& step : scene_.objects[object].parents) parent = group(parent, step);
     scene_.nodes[append(parent, plain_name(scene_.objects[object]))].object = object;
   }
 

@@ -57,9 +57,26 @@ Box3 transformed(const Affine& map, const Box3& box) {
   return result;
 }
 
-Quaternion about_up(double degrees) {
+Quaternion about_axis(int axis, double degrees) {
   const double half = std::remainder(degrees, 360.0) / 2 * std::numbers::pi / 180;
-  return {0, rounded(std::sin(half), 9), 0, rounded(std::cos(half), 9)};
+  Quaternion turn{0, 0, 0, rounded(std::cos(half), 9)};
+  turn[static_cast<std::size_t>(axis)] = rounded(std::sin(half), 9);
+  return turn;
+}
+
+Quaternion about_up(double degrees) { return about_axis(1, degrees); }
+
+Quaternion after(const Quaternion& outer, const Quaternion& inner) {
+  const auto [ax, ay, az, aw] = outer;
+  const auto [bx, by, bz, bw] = inner;
+  Quaternion product{aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
+                     aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz};
+  for (double& part : product) part = rounded(part, 9);
+  return product;
+}
+
+Quaternion reversed(const Quaternion& rotation) {
+  return {-rotation[0], -rotation[1], -rotation[2], rotation[3]};
 }
 
 double rounded(double value, int digits) {

@@ -39,6 +39,13 @@ Affine to_affine(const Transform& transform);
 Affine operator*(const Affine& outer, const Affine& inner);
 Box3 transformed(const Affine& map, const Box3& box);
 
+/// Returns a turn about an axis, 0 to 2, as about_up does.
+Quaternion about_axis(int axis, double degrees);
+
+/// Returns the rotation that does `inner` first, rounded to 9 digits.
+Quaternion after(const Quaternion& outer, const Quaternion& inner);
+Quaternion reversed(const Quaternion& rotation);
+
 /// Returns a turn about glTF's up axis, +Y, counter-clockwise seen from above. It is exact at quarter turns
 /// and rounded to 9 digits elsewhere, so that processors whose sines differ in the last bit write the same
 /// file.

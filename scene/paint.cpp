@@ -23,7 +23,7 @@ constexpr std::array<Material, 25> kMaterials{{
     {"iron", {0.30, 0.30, 0.32}, {0.6, 1}},     {"concrete", {0.62, 0.61, 0.59}, {0.95, 0}},
     {"plaster", {0.91, 0.89, 0.85}, {0.95, 0}}, {"brick", {0.62, 0.31, 0.24}, {0.95, 0}},
     {"stone", {0.55, 0.53, 0.50}, {0.9, 0}},    {"marble", {0.93, 0.92, 0.90}, {0.2, 0}},
-    {"tiles", {0.86, 0.88, 0.88}, {0.25, 0}},   {"glass", {0.66, 0.82, 0.90}, {0.05, 0}},
+    {"tiles", {0.86, 0.88, 0.88}, {0.25, 0}},   {"glass", {0.66, 0.82, 0.90}, {0.05, 0, 0.35}},
     {"leather", {0.36, 0.22, 0.15}, {0.5, 0}},  {"fabric", {0.46, 0.52, 0.58}, {0.95, 0}},
     {"plastic", {0.85, 0.85, 0.85}, {0.35, 0}}, {"rubber", {0.13, 0.13, 0.14}, {0.9, 0}},
     {"grass", {0.42, 0.58, 0.28}, {1, 0}},      {"soil", {0.40, 0.30, 0.22}, {1, 0}},
@@ -33,7 +33,16 @@ constexpr std::array<Material, 25> kMaterials{{
 
 }  // namespace
 
-std::string Paint::text() const { return material.empty() ? hex(color) : material + " " + hex(color); }
+Color Paint::over(const Color& own) const {
+  if (!tints) return color;
+  const Color linear = to_linear(own), tint = to_linear(color);
+  return to_screen({linear[0] * tint[0], linear[1] * tint[1], linear[2] * tint[2]});
+}
+
+std::string Paint::text() const {
+  if (tints) return "tint " + hex(color);
+  return material.empty() ? hex(color) : material + " " + hex(color);
+}
 
 std::optional<Paint> material_named(std::string_view name) {
   const auto found = std::ranges::find(kMaterials, name, &Material::name);

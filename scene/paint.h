@@ -12,6 +12,7 @@ struct Paint {
   struct Finish {
     double roughness = 1;
     double metallic = 0;
+    double opacity = 1;  // share of the light from behind that it keeps back
 
     auto operator<=>(const Finish&) const = default;
   };
@@ -19,6 +20,10 @@ struct Paint {
   std::string material;          // "oak", or "" for a mere colour
   Color color{};                 // as screens show it
   std::optional<Finish> finish;  // of a mere colour the surface's own
+  bool tints = false;            // it colours all surfaces, over their own colours
+
+  /// Returns what becomes of a surface's own colour, as screens show it.
+  Color over(const Color& own) const;
 
   /// Returns a text that differs for paints that look different: "#c08040" or "oak #c08040".
   std::string text() const;

@@ -14,9 +14,10 @@ namespace solitaire {
 
 /// The box that an object fills, in metres along the program's axes: x right, y into the depth, z up.
 struct PlacedBox {
-  Vec3 center{};     // of its base
-  Vec3 size{};       // width, depth, height before turning
-  double angle = 0;  // degrees counter-clockwise seen from above
+  Vec3 center{};               // of its base
+  Vec3 size{};                 // width, depth, height before turning
+  double angle = 0;            // degrees counter-clockwise seen from above
+  double pitch = 0, roll = 0;  // before that; see ThingOptions. The middle of its base stays where it is.
 
   double top() const { return center[2] + size[2]; }
 };
@@ -25,10 +26,11 @@ struct SceneObject {
   PlacedThing thing;
   const Asset* asset = nullptr;  // nullptr: a plain box
   PlacedBox box;
-  std::optional<Paint> paint;     // always of a plain box
-  Color color{};                  // as a plan shows it
-  Transform node_transform;       // of its glTF node: brings the asset, or the unit box, to its place
-  std::vector<Opening> openings;  // of a wall
+  std::optional<Paint> paint;        // always of a plain box
+  Color color{};                     // as a plan shows it
+  std::vector<std::string> parents;  // the names of the tree nodes above it, outermost first
+  Transform node_transform;          // of its glTF node: brings the asset, or the unit box, to its place
+  std::vector<Opening> openings;     // of a wall
 };
 
 /// A node of the scene's tree: an object, or a group for one call of the program.
@@ -48,6 +50,9 @@ struct Scene {
 /// Returns the box that a thing without an asset is drawn as, in its own frame: it stands on the ground
 /// around the origin, as bundled assets do.
 Box3 unit_box();
+
+/// Returns the rotation of a box, in glTF's axes, which comes after a turn of its content by `turn` degrees.
+Quaternion orientation(const PlacedBox& box, double turn = 0);
 
 /// Returns the least box along the program's axes that holds this one.
 Box3 bounds(const PlacedBox& box);

@@ -253,7 +253,7 @@ void check(const PageProgram& shown, const fs::path& folder) {
   Program program;
   const bool expects_error = shown.expects("error");
   try {
-    const LoadOptions options{{kSource / "solitaire", kSource}};
+    const LoadOptions options{{kSource / "solitaire", kSource}, library().models};
     program = load_program_text((folder / "program.sol").string(), shown.text, options, sources);
     const ParamValues params = read_params(program, settings_of(shown), program.sources);
     if (shown.expects("conflict")) return check_conflicts(shown, program, params);

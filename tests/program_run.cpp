@@ -5,13 +5,18 @@
 #include <fmt/format.h>
 
 #include "engines/thesis/published_method.h"
+#include "library/known_models.h"
 #include "tests/proof.h"
 
 namespace solitaire {
 
 std::filesystem::path tests_folder() { return std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "tests"; }
 
-LoadOptions library() { return {{std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "solitaire"}}; }
+LoadOptions library() {
+  static const std::filesystem::path source = SOLITAIRE_SOURCE_DIR;
+  static const auto models = std::make_shared<api::KnownModels>(AssetLibrary(source / "assets", "."));
+  return {{source / "solitaire"}, models};
+}
 
 namespace {
 

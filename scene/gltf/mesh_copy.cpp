@@ -61,12 +61,15 @@ int append_view(tinygltf::Model& to, const std::vector<unsigned char>& bytes, in
 }
 
 tinygltf::Material painted(tinygltf::Material material, const Paint& paint) {
-  const Color linear = to_linear(paint.color);
+  const Color paint_color = to_linear(paint.color);
   auto& pbr = material.pbrMetallicRoughness;
-  std::copy(linear.begin(), linear.end(), pbr.baseColorFactor.begin());  // alpha stays
+  for (std::size_t i = 0; i < 3; ++i)  // alpha stays
+    pbr.baseColorFactor[i] = paint.tints ? pbr.baseColorFactor[i] * paint_color[i] : paint_color[i];
   if (paint.finish) {
     pbr.roughnessFactor = paint.finish->roughness;
     pbr.metallicFactor = paint.finish->metallic;
+    pbr.baseColorFactor[3] = paint.finish->opacity;
+    material.alphaMode = paint.finish->opacity < 1 ? "BLEND" : "OPAQUE";
   }
   return material;
 }
@@ -91,7 +94,7 @@ tinygltf::Primitive MeshCopier::primitive(const tinygltf::Primitive& source,
   }
   if (source.indices != -1) copy.indices = indices(source.indices);
   const bool is_primary = source.material == source_.primary_material;
-  copy.material = material(source.material, is_primary ? paint : std::nullopt);
+  copy.material = material(source.material, is_primary || (paint && paint->tints) ? paint : std::nullopt);
   return copy;
 }
 

@@ -105,7 +105,7 @@ class Verifier {
   /// Compares in the frame of the placed box, whose base is centred at the origin and not turned.
   void check_box(int index, const Box3& meshes, const SceneObject& object, const std::string& name) const {
     const PlacedBox& box = object.box;
-    const Affine unturn = to_affine({{}, about_up(-box.angle), {1, 1, 1}});
+    const Affine unturn = to_affine({{}, reversed(orientation(box)), {1, 1, 1}});
     const Affine uncenter =
         to_affine({{-box.center[0], -box.center[2], box.center[1]}, {0, 0, 0, 1}, {1, 1, 1}});
     const Box3 found = transformed(unturn * uncenter * local_transform(node(index)), meshes);

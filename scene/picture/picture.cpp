@@ -30,6 +30,7 @@ constexpr std::array<std::array<float, 2>, 8> kPlaces{{{0.0625F, 0.4375F},
 /// that differ much (the matrix of Bayer, 1973).
 constexpr std::array<std::array<std::size_t, 4>, 4> kGroupOf{
     {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
+constexpr int kMostPanes = 8;        // that one looks through
 constexpr std::size_t kEnough = 14;  // pixels of a square that know about a surface
 
 /// The eye of a camera in the frame of the ray tracer.
@@ -70,6 +71,9 @@ struct Sight {
   const Finish* finish = nullptr;  // of an object
   float distance = 0;
   Vector point, normal, flat_normal;
+  float through = 1;             // share of its light that comes through clear surfaces before it
+  Vector panes;                  // what a screen shows of those
+  const Finish* pane = nullptr;  // of the first of them
 };
 
 /// The mean of light.
@@ -122,21 +126,37 @@ class Drawing {
   Sight look(float x, float y) const {
     const Ray ray = eye_.ray(x, y);
     Sight sight;
-    if (const auto hit = scene_.trace(ray)) {
-      sight = {static_cast<std::int32_t>(hit->object),
-               hit->finish,
-               hit->distance,
-               hit->point,
-               hit->normal,
-               hit->flat_normal};
+    std::optional<Hit> hit = scene_.trace(ray);
+    for (int panes = 0; hit && hit->finish->opacity < 1 && panes < kMostPanes; ++panes) {
+      if (!hit->from_behind) add_pane(*hit, ray, sight);
+      hit = scene_.trace(ray, hit->distance + 0.01F * eye_.pixel(hit->distance));
+    }
+    if (hit) {
+      sight.object = static_cast<std::int32_t>(hit->object);
+      sight.finish = hit->finish;
+      sight.distance = hit->distance;
+      sight.point = hit->point, sight.normal = hit->normal, sight.flat_normal = hit->flat_normal;
     } else if (ray.direction.y < 0) {
-      const float distance = (scene_.ground() - ray.origin.y) / ray.direction.y;
-      if (distance > 0) {
-        const Vector up{0, 1, 0};
-        sight = {Sight::kGround, nullptr, distance, ray.origin + ray.direction * distance, up, up};
-      }
+      look_at_ground(ray, sight);
     }
     return sight;
+  }
+
+  void look_at_ground(const Ray& ray, Sight& sight) const {
+    const float distance = (scene_.ground() - ray.origin.y) / ray.direction.y;
+    if (distance <= 0) return;
+    sight.object = Sight::kGround;
+    sight.distance = distance;
+    sight.point = ray.origin + ray.direction * distance;
+    sight.normal = sight.flat_normal = {0, 1, 0};
+  }
+
+  /// Takes up a clear surface, which is lit as in the open.
+  void add_pane(const Hit& hit, const Ray& ray, Sight& sight) const {
+    const Vector light = shaded(*hit.finish, lighting_.in_the_open(), hit.normal, -ray.direction);
+    sight.panes += tone_mapped(light) * (hit.finish->opacity * sight.through);
+    sight.through *= 1 - hit.finish->opacity;
+    if (sight.pane == nullptr) sight.pane = hit.finish;
   }
 
   bool needs_light(const Sight& sight) const {
@@ -176,6 +196,10 @@ class Drawing {
 
   /// Returns what a screen shows, still as linear light, of what is seen through a pixel.
   Vector color_of(const Sight& sight, std::size_t x, std::size_t y) const {
+    return sight.panes + color_behind_panes(sight, x, y) * sight.through;
+  }
+
+  Vector color_behind_panes(const Sight& sight, std::size_t x, std::size_t y) const {
     if (!needs_light(sight)) return background();
     const Light light = shared_light(sight, x, y);
     if (sight.object == Sight::kGround)
@@ -221,7 +245,7 @@ class Drawing {
     const Sight& here = sights_[index(x, y)];
     const auto differs = [&](std::size_t column, std::size_t row) {
       const Sight& there = sights_[index(column, row)];
-      return here.object != there.object || here.finish != there.finish ||
+      return here.object != there.object || here.finish != there.finish || here.pane != there.pane ||
              dot(here.normal, there.normal) < 0.97F;
     };
     return (x > 0 && differs(x - 1, y)) || (x + 1 < size_.width && differs(x + 1, y)) ||

@@ -25,10 +25,12 @@ Vector towards(const Vector& normal, const Vector& viewer) {
 }
 
 void paint_over(Finish& finish, const Paint& paint) {
-  finish.color = to_vector(to_linear(paint.color));
+  const Vector color = to_vector(to_linear(paint.color));
+  finish.color = paint.tints ? finish.color * color : color;
   if (!paint.finish) return;
   finish.roughness = static_cast<float>(paint.finish->roughness);
   finish.metallic = static_cast<float>(paint.finish->metallic);
+  finish.opacity = static_cast<float>(paint.finish->opacity);
 }
 
 }  // namespace
@@ -61,7 +63,7 @@ const std::vector<Finish>& RayScene::finishes(const Shape& shape, const std::opt
   const auto [place, is_new] = painted_.try_emplace({&shape, *paint}, shape.finishes);
   if (is_new) {
     for (Finish& finish : place->second) {
-      if (finish.is_primary) paint_over(finish, *paint);
+      if (finish.is_primary || paint->tints) paint_over(finish, *paint);
     }
   }
   return place->second;
@@ -94,9 +96,10 @@ void RayScene::attach(RTCDevice device, const TracedShape& shape, const Affine& 
   rtcAttachGeometryByID(scene_.get(), instance.get(), static_cast<unsigned>(objects_.size()) - 1);
 }
 
-std::optional<Hit> RayScene::trace(const Ray& ray) const {
+std::optional<Hit> RayScene::trace(const Ray& ray, float beyond) const {
   RTCRayHit found{};
   found.ray = to_embree(ray);
+  found.ray.tnear = beyond;
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -126,12 +129,14 @@ Hit RayScene::hit_of(const Ray& ray, const RTCRayHit& found) const {
   hit.distance = found.ray.tfar;
   const Object& object = objects_[hit.object];
   const Shape& shape = *object.shape;
-  const Shape::Triangle& triangle = shape.triangles[found.hit.primID];
+  const std::size_t before = found.hit.geomID == TracedShape::kClear ? shape.clear_from : 0;
+  const Shape::Triangle& triangle = shape.triangles[before + found.hit.primID];
   const auto& [a, b, c] = triangle.corners;
   const Vector flat =
       object.normals.apply(cross(shape.points[b] - shape.points[a], shape.points[c] - shape.points[a]));
   const float u = found.hit.u, v = found.hit.v;
   const Vector smooth = shape.normals[a] * (1 - u - v) + shape.normals[b] * u + shape.normals[c] * v;
+  hit.from_behind = dot(flat, ray.direction) > 0;
   hit.flat_normal = towards(flat, -ray.direction);
   hit.normal = towards(object.normals.apply(smooth), hit.flat_normal);
   hit.finish = &(*object.finishes)[triangle.finish];

@@ -23,8 +23,9 @@ struct Hit {
   std::size_t object = 0;  // index into Scene::objects
   float distance = 0;
   Vector point;
-  Vector normal;       // of the smooth surface, of length 1, on the side that the ray comes from
-  Vector flat_normal;  // of the triangle, likewise
+  Vector normal;             // of the smooth surface, of length 1, on the side that the ray comes from
+  Vector flat_normal;        // of the triangle, likewise
+  bool from_behind = false;  // the ray comes from the inside of the solid
   const Finish* finish = nullptr;
 };
 
@@ -35,8 +36,9 @@ class RayScene {
   /// `cut` holds a height for each object, as cut_heights returns it.
   RayScene(TracedShapes& shapes, const Scene& scene, const std::vector<std::optional<double>>& cut);
 
-  std::optional<Hit> trace(const Ray& ray) const;
-  /// Returns for each of four directions whether a ray from the origin meets nothing.
+  /// Returns what the ray meets first further away than `beyond`.
+  std::optional<Hit> trace(const Ray& ray, float beyond = 0) const;
+  /// Returns for each of four directions whether a ray from the origin meets nothing but clear surfaces.
   std::array<bool, 4> are_free(const Vector& origin, const std::array<Vector, 4>& directions) const;
 
   const Vec3& middle() const { return middle_; }  // in the scene's own frame

@@ -11,7 +11,7 @@
 namespace solitaire {
 namespace {
 
-const Finish kCutFinish{{0.11F, 0.105F, 0.10F}, {}, 0, 1, false};
+const Finish kCutFinish{{0.11F, 0.105F, 0.10F}, {}, 0, 1, 1, false};
 
 Vec3 to_vec3(const Vector& v) { return {v.x, v.y, v.z}; }
 
@@ -24,6 +24,7 @@ Finish finish_of(const AssetModel& model, int material) {
   finish.color = to_vector({pbr.baseColorFactor[0], pbr.baseColorFactor[1], pbr.baseColorFactor[2]});
   finish.metallic = static_cast<float>(pbr.metallicFactor);
   finish.roughness = static_cast<float>(pbr.roughnessFactor);
+  if (source.alphaMode == "BLEND") finish.opacity = static_cast<float>(pbr.baseColorFactor[3]);
   if (const auto& glow = source.emissiveFactor; glow.size() == 3)
     finish.glow = to_vector({glow[0], glow[1], glow[2]});
   return finish;

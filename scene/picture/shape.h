@@ -14,6 +14,7 @@ struct Finish {
   Vector glow;                     // linear light that it sends out
   float metallic = 0;
   float roughness = 1;
+  float opacity = 1;        // share of the light from behind that it keeps back
   bool is_primary = false;  // a thing's colour replaces this one's
 };
 
@@ -26,7 +27,8 @@ struct Shape {
 
   std::vector<Vector> points;
   std::vector<Vector> normals;
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles;  // those of clear finishes come last
+  std::size_t clear_from = 0;       // the first of them, once the shape is prepared
   std::vector<Finish> finishes;
 };
 

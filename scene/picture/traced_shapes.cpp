@@ -1,5 +1,6 @@
 #include "scene/picture/traced_shapes.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
@@ -20,6 +21,9 @@ void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_
   if (to == nullptr) throw SceneError("there is not enough memory for a picture");
   for (std::size_t i = 0; i < count; ++i) to[i] = element(i);
 }
+
+/// Clear surfaces cast no shadows.
+void let_pass(const RTCFilterFunctionNArguments* met) { std::fill_n(met->valid, met->N, 0); }
 
 }  // namespace
 
@@ -45,20 +49,29 @@ const TracedShape& TracedShapes::of(const Asset* asset) {
 }
 
 TracedShape TracedShapes::prepare(Shape shape) const {
+  const auto is_solid = [&](const Shape::Triangle& each) { return shape.finishes[each.finish].opacity >= 1; };
+  const auto clear = std::stable_partition(shape.triangles.begin(), shape.triangles.end(), is_solid);
+  shape.clear_from = static_cast<std::size_t>(clear - shape.triangles.begin());
   TracedShape traced{std::move(shape), Embree<RTCScene>(rtcNewScene(device()))};
-  const Embree<RTCGeometry> geometry(rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE));
-  check_embree(device());
-  if (!traced.shape.triangles.empty()) {
-    fill(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, traced.shape.points.size(),
-         [&](std::size_t i) { return traced.shape.points[i]; });
-    fill(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, traced.shape.triangles.size(),
-         [&](std::size_t i) { return traced.shape.triangles[i].corners; });
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometryByID(traced.scene.get(), geometry.get(), 0);
-  }
+  attach(traced, 0, traced.shape.clear_from, 0);
+  attach(traced, traced.shape.clear_from, traced.shape.triangles.size(), TracedShape::kClear);
   rtcCommitScene(traced.scene.get());
   check_embree(device());
   return traced;
+}
+
+void TracedShapes::attach(const TracedShape& traced, std::size_t begin, std::size_t end,
+                          unsigned number) const {
+  if (begin == end) return;
+  const Embree<RTCGeometry> geometry(rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  check_embree(device());
+  fill(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, traced.shape.points.size(),
+       [&](std::size_t i) { return traced.shape.points[i]; });
+  fill(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, end - begin,
+       [&](std::size_t i) { return traced.shape.triangles[begin + i].corners; });
+  if (number == TracedShape::kClear) rtcSetGeometryOccludedFilterFunction(geometry.get(), let_pass);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometryByID(traced.scene.get(), geometry.get(), number);
 }
 
 }  // namespace solitaire

@@ -8,6 +8,9 @@ namespace solitaire {
 
 /// A shape together with what Embree knows of it.
 struct TracedShape {
+  /// The number of the geometry with the clear triangles; that of the others is 0.
+  static constexpr unsigned kClear = 1;
+
   Shape shape;
   Embree<RTCScene> scene;
 };
@@ -25,6 +28,8 @@ class TracedShapes {
   RTCDevice device() const { return device_.get(); }
 
  private:
+  void attach(const TracedShape& traced, std::size_t begin, std::size_t end, unsigned number) const;
+
   Embree<RTCDevice> device_;
   std::map<const Asset*, TracedShape> known_;  // looked up only: its order never shows
 };

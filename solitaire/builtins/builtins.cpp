@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "solitaire/builtins/distributions.h"
+#include "solitaire/builtins/models.h"
 #include "solitaire/builtins/placing.h"
 #include "solitaire/run/evaluation.h"
 
@@ -444,6 +445,8 @@ std::vector<Builtin> make_table() {
       {"print", {}, 0, kVariadic, false, false, print},
       {"place", {"asset", "at", "size", "turn", "angle", "color", "name"}, 0, false, kExtras, false, place},
       {"unit", {"metres"}, 1, false, false, false, unit},
+      {"size_of", {"asset", "unit"}, 1, false, false, false, size_of},
+      {"has_front", {"asset"}, 1, false, false, false, has_front},
   };
   for (Builtin& distribution : distribution_builtins()) table.push_back(std::move(distribution));
   return table;

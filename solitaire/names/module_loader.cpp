@@ -41,11 +41,12 @@ class ModuleLoader {
 
   /// Loads a file and, before it counts as loaded, what it imports.
   std::uint32_t load(const std::filesystem::path& path, std::string name, std::string text,
-                     Span import = {}) {
+                     bool is_library = false, Span import = {}) {
     const auto number = static_cast<std::uint32_t>(program_.modules.size());
     Module module;
     module.path = path;
     module.label = number == 0 ? "" : new_label(path);
+    module.is_library = is_library;
     module.source = program_.sources.add(std::move(name), std::move(text));
     module.tree = parse(program_.sources, module.source, diagnostics_);
     program_.modules.push_back(std::move(module));
@@ -88,25 +89,31 @@ class ModuleLoader {
     }
   }
 
+  /// A file that an import means.
+  struct Located {
+    std::filesystem::path path;
+    bool is_library;
+  };
+
   /// Returns the module that an import means, which is loaded if it is not yet; nothing if that fails.
   std::optional<std::uint32_t> imported_module(std::uint32_t importer, const ImportStmt& import) {
     if (!import.is_complete) return std::nullopt;
-    const auto path = find(program_.modules[importer].path.parent_path(), import.path);
-    if (!path) {
+    const auto file = find(program_.modules[importer], import.path);
+    if (!file) {
       diagnostics_.add(
           "missing-import", import.path_span, fmt::format("there is no file '{}'", import.path),
           "imports are looked for beside this file, then in the library, which has std/layout.sol");
       return std::nullopt;
     }
-    if (const auto known = find_module(*path)) {
+    if (const auto known = find_module(file->path)) {
       if (!is_loading(*known)) return known;
       report_circle(*known, import);
       return std::nullopt;
     }
-    return new_module(*path, import);
+    return new_module(*file, import);
   }
 
-  std::optional<std::uint32_t> new_module(const std::filesystem::path& path, const ImportStmt& import) {
+  std::optional<std::uint32_t> new_module(const Located& file, const ImportStmt& import) {
     if (loading_.size() >= kLongestChain) {
       diagnostics_.add("import-chain", import.path_span,
                        fmt::format("more than {} files import each other in a chain", kLongestChain));
@@ -114,12 +121,12 @@ class ModuleLoader {
     }
     std::string text;
     try {
-      text = files_.read(path);
+      text = files_.read(file.path);
     } catch (const FileError& error) {
       diagnostics_.add("unreadable-import", import.path_span, error.what());
       return std::nullopt;
     }
-    return load(path, files_.shown_name(path), std::move(text), import.span);
+    return load(file.path, files_.shown_name(file.path), std::move(text), file.is_library, import.span);
   }
 
   std::optional<std::uint32_t> find_module(const std::filesystem::path& path) const {
@@ -147,13 +154,16 @@ class ModuleLoader {
     diagnostics_.add(std::move(diagnostic));
   }
 
-  std::optional<std::filesystem::path> find(const std::filesystem::path& folder,
-                                            const std::string& name) const {
-    std::vector<std::filesystem::path> folders{folder};
-    folders.insert(folders.end(), options_.library_folders.begin(), options_.library_folders.end());
-    for (const std::filesystem::path& candidate : folders) {
-      std::filesystem::path path = files_.canonical(candidate / name);
-      if (files_.contains(path)) return path;
+  /// What a file of the library imports from beside itself is of the library, too.
+  std::optional<Located> find(const Module& importer, const std::string& name) const {
+    const auto located = [&](const std::filesystem::path& folder, bool is_library) -> std::optional<Located> {
+      std::filesystem::path path = files_.canonical(folder / name);
+      if (!files_.contains(path)) return std::nullopt;
+      return Located{std::move(path), is_library};
+    };
+    if (auto beside = located(importer.path.parent_path(), importer.is_library)) return beside;
+    for (const std::filesystem::path& folder : options_.library_folders) {
+      if (auto found = located(folder, true)) return found;
     }
     return std::nullopt;
   }

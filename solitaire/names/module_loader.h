@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct LoadOptions {
   /// The folders in which an import is looked for that is not found beside the importing file; one holds
   /// std/.
   std::vector<std::filesystem::path> library_folders;
+  /// The models that the program can place.
+  std::shared_ptr<const Models> models = nullptr;
 };
 
 /// Reads and parses a script and what it imports, each file once, into an empty program. Files that are

@@ -1,5 +1,7 @@
 #include "solitaire/names/program.h"
 
+#include <algorithm>
+
 namespace solitaire {
 namespace {
 
@@ -15,6 +17,12 @@ void collect_params(const Program& program, std::uint32_t module, std::vector<bo
 }
 
 }  // namespace
+
+bool Program::is_library(const Function& function) const {
+  return std::any_of(modules.begin(), modules.end(), [&](const Module& module) {
+    return module.is_library && module.source == function.span.source;
+  });
+}
 
 std::vector<const ParamStmt*> Program::params() const {
   std::vector<const ParamStmt*> params;

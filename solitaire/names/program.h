@@ -2,12 +2,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "base/name_table.h"
 #include "base/source.h"
+#include "solitaire/names/models.h"
 #include "solitaire/syntax/syntax.h"
 
 namespace solitaire {
@@ -22,6 +24,7 @@ struct Module {
   std::uint32_t source = 0;
   SyntaxTree tree;
   std::vector<std::uint32_t> imports;  // modules, in the order of the import statements
+  bool is_library = false;             // it comes from a library folder: std/layout.sol
   bool imports_known = true;           // false if an import is missing or circular, and names with it
   std::map<std::string, Slot> names;   // the variables of the top level
 };
@@ -34,8 +37,11 @@ struct Program {
   std::vector<Module> modules;
   NameTable labels;       // the labels of all sites; the first is kNoLabel, with an empty text
   NameTable field_names;  // fields are found by the number of their name, as texts are slow to compare
-  std::vector<Diagnostic> warnings;  // what is allowed and hardly meant, in the order of the sources
+  std::shared_ptr<const Models> models;  // that it can place; null where nobody knows any
+  std::vector<Diagnostic> warnings;      // what is allowed and hardly meant, in the order of the sources
 
+  /// Returns true if the function is one of the library.
+  bool is_library(const Function& function) const;
   const Function& top(std::uint32_t module) const { return *modules[module].tree.top; }
   /// Returns the folder that asset paths of the program are relative to.
   std::filesystem::path folder() const { return modules.front().path.parent_path(); }

@@ -7,11 +7,12 @@ namespace solitaire {
 namespace {
 
 /// The calls that lead to a place, outermost first. A function that came as an argument is better known by
-/// its own name than by the parameter's.
+/// its own name than by the parameter's. Calls of the library's functions say nothing about the scene.
 std::vector<std::string> call_names(std::uint32_t call, const std::vector<CallRecord>& calls,
-                                    const AddressTable& addresses) {
+                                    const Program& program, const AddressTable& addresses) {
   std::vector<std::string> names;
   for (; call != kNoCall; call = calls[call].caller) {
+    if (program.is_library(*calls[call].function)) continue;
     const std::string step = addresses.steps(calls[call].address).back();
     const std::string& own = calls[call].function->name;
     const std::size_t turns = std::min(step.find('['), step.size());
@@ -44,7 +45,7 @@ std::string folder_text(Span span, const Program& program) {
 void add_texts(Placement& placement, const std::vector<CallRecord>& calls, const Program& program,
                const AddressTable& addresses) {
   placement.address = addresses.text(placement.id);
-  placement.calls = call_names(placement.call, calls, addresses);
+  placement.calls = call_names(placement.call, calls, program, addresses);
   placement.source = place_text(placement.span, program.sources);
   placement.folder = folder_text(placement.span, program);
 }

@@ -24,6 +24,9 @@ struct Files {
   /// Holds std/, where imports are looked for that are not beside the importing file, and assets/ with the
   /// bundled models. Empty stands for installed_data().
   std::filesystem::path data = {};
+  /// Further folders with models, which programs place by the names of the files without ".glb". They are
+  /// looked into before the bundled ones.
+  std::vector<std::filesystem::path> assets = {};
 };
 
 struct Analysis;

@@ -21,6 +21,7 @@
 #include <solitaire/error.h>
 #include <solitaire/explain.h>
 #include <solitaire/export.h>
+#include <solitaire/models.h>
 #include <solitaire/options.h>
 #include <solitaire/output.h>
 #include <solitaire/program.h>

@@ -1,12 +1,15 @@
 """The builtins of the manual's table."""
 
+import json
 import math
 import re
+from pathlib import Path
 
 from .operators import BINARY, Rejected, condition, within_62_bits
 from .syntax import ProgramError
 from .values import Builtin, is_number, kind, same, text
 
+ASSETS = Path(__file__).resolve().parents[3] / "assets"
 COLOURS = set(
     "white silver gray grey black red maroon orange yellow olive green lime teal cyan blue navy purple pink brown"
     " beige".split()
@@ -211,6 +214,34 @@ def unit(run, call):
         raise ProgramError(call.place, "a unit is a positive number of metres")
 
 
+def model_facts(call):
+    """What the file of a bundled model says about it."""
+    name = call.given["asset"]
+    if not is_text(name):
+        raise ProgramError(call.place, f"the name of a model is a string, not {kind(name)}")
+    file = ASSETS / f"{name}.glb"
+    if not re.fullmatch("[a-z0-9_]+", name) or not file.exists():
+        raise ProgramError(call.place, f"there is no model {name!r}")
+    data = file.read_bytes()
+    length = int.from_bytes(data[12:16], "little")
+    return json.loads(data[20:20 + length])["nodes"][0]["extras"]
+
+
+def size_of(run, call):
+    facts = model_facts(call)
+    size = (*facts["footprint"], facts["height"])
+    unit = call.given.get("unit")
+    if unit is None:
+        return tuple(float(length) for length in size)
+    if not is_number(unit) or not 0 < unit < math.inf:
+        raise ProgramError(call.place, "a unit is a positive number of metres")
+    return tuple(math.ceil(length / unit * (1 - 1e-6)) for length in size)
+
+
+def has_front(run, call):
+    return model_facts(call)["front"] != "none"
+
+
 def is_text(value):
     return type(value) is str
 
@@ -291,6 +322,8 @@ BUILTINS = {
         builtin("str", "value", lambda run, call: text(call.given["value"])),
         builtin("print", "", print_line, variadic=True),
         builtin("unit", "metres", unit),
+        builtin("size_of", "asset unit", size_of, required=1),
+        builtin("has_front", "asset", has_front),
         builtin("place", "asset at size turn angle color name", place, required=0, extras=True),
     ]
 }

@@ -1,0 +1,26 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/placed_thing.h"
+
+namespace solitaire {
+
+/// What a scene takes from the further named arguments of a thing.
+struct ThingOptions {
+  std::optional<std::string> material;  // as JSON text
+  bool tint = false;           // the colour tints all surfaces instead of replacing that of the first
+  double pitch = 0, roll = 0;  // degrees: its front is raised; its right, seen from its front, is lowered
+  double scale = 1;            // of its own size
+  std::vector<std::string> parents;  // the tree nodes above it in place of the program's calls
+};
+
+/// Reads "material", "tint", "pitch", "roll", "scale" and "parent" ("level 1/kitchen"). Throws SceneError,
+/// which names the place call, for one that has another type than it should.
+ThingOptions read_options(const PlacedThing& thing);
+
+/// Throws the SceneError that says what is wrong with a thing: its place call, and what it is about.
+[[noreturn]] void refuse(const PlacedThing& thing, const std::string& what);
+
+}  // namespace solitaire
