@@ -46,9 +46,9 @@ class AssetLibrary {
   std::vector<std::string> names() const;
 
   /// Returns an asset of these folders by its name, or the user's own by a path that ends in .glb or .gltf,
-  /// which is looked for in `folder`, relative to the script's, and then beside the script. Returns nullptr if
-  /// no asset has this name; a scene shows a box then. Throws SceneError for a file that is missing, broken or
-  /// not supported. The asset lives as long as the library.
+  /// which is looked for in `folder`, relative to the script's, and then beside the script. Returns nullptr
+  /// if no asset has this name; a scene shows a box then. Throws SceneError for a file that is missing,
+  /// broken or not supported. The asset lives as long as the library.
   const Asset* find(const std::string& name, const std::string& folder = "");
 
   /// Returns what there is to tell of the assets that were looked for so far, a line each: names that no

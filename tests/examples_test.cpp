@@ -18,7 +18,9 @@ std::vector<fs::path> files_with(const fs::path& folder, const std::string& exte
   return paths;
 }
 
-TEST_CASE("examples: their scenes are valid glTF, without a warning, and assimp and three.js find in them what they hold") {
+TEST_CASE(
+    "examples: their scenes are valid glTF, without a warning, and assimp and three.js find in them what "
+    "they hold") {
   const fs::path root = SOLITAIRE_SOURCE_DIR;
   const Workplace place;
   std::vector<std::string> validate = {"node", (root / "tests/gltf/validate.mjs").string()};
