@@ -100,6 +100,7 @@ class Delivery : public SearchObserver {
   ExitStatus finish(Ending ending) {
     Summary summary = delivered_;
     summary.alike = search_.summary().alike;
+    summary.names_differed = search_.summary().names_differed;
     if (!options_.quiet)
       tell(summary_text(summary, ending, seconds(), search_.stop_token().reason(), options_));
     close_(ending);

@@ -195,11 +195,14 @@ void add_search_options(CLI::App& command, Options& options) {
                                                                       {"uniform", Sampling::kUniform}})
                   .description("search|uniform"));
   command
-      .add_option("--distinct", options.search.distinct,
-                  "what makes two solutions different: their choices, or the result (value and scene)")
+      .add_option(
+          "--distinct", options.search.distinct,
+          "what makes two solutions different: their choices, the result (value and scene), or the value "
+          "that the program returns before its output")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Distinct>{{"choices", Distinct::kChoices},
-                                                                          {"result", Distinct::kResult}})
-                      .description("choices|result"));
+                                                                          {"result", Distinct::kResult},
+                                                                          {"value", Distinct::kValue}})
+                      .description("choices|result|value"));
   options.search.jobs = std::max(1U, std::thread::hardware_concurrency());
   auto* min_distance =
       command

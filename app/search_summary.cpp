@@ -36,7 +36,15 @@ std::string summary_text(const Summary& summary, Ending ending, double seconds, 
       fmt::format("{} solution{}{} in {:.2f} s", summary.solutions, summary.solutions == 1 ? "" : "s",
                   summary.earlier > 0 ? fmt::format(" ({} of them earlier)", summary.earlier) : "", seconds);
   if (options.search.run_each) text += fmt::format(", checked by {} runs", summary.times.replays);
-  if (summary.alike > 0) text += fmt::format(", not counting {} that look like others", summary.alike);
+  const bool names_only = summary.names_differed && options.search.distinct == Distinct::kResult;
+  if (summary.alike > 0) {
+    text += fmt::format(
+        ", not counting {} that {}{}", summary.alike,
+        options.search.distinct == Distinct::kValue ? "have the value of others" : "look like others",
+        names_only ? " but for names or extras" : "");
+  } else if (names_only) {
+    text += ", not counting those that differ in names or extras only";
+  }
   text += ending_text(summary, ending, reason, options) + "\n";
   if (summary.solutions > 1) {
     text += fmt::format("mean distance of choices {:.2f}, of results {:.2f}\n", summary.choice_distance,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/hash.h"
 #include "solitaire/value/plain_value.h"
 
 namespace solitaire {
@@ -17,6 +18,18 @@ std::string look(const PlacedObject& placement) {
   return text;
 }
 
+/// The names and extras of placed things, in any order.
+std::uint64_t hash_of_names(const Solution& solution) {
+  std::uint64_t sum = 0;
+  for (const PlacedObject& placement : solution.placements) {
+    std::uint64_t hash = std::hash<std::string>{}(placement.name);
+    for (const auto& [name, value] : placement.extras)
+      hash = mix(mix(hash, std::hash<std::string>{}(name)), std::hash<std::string>{}(value));
+    sum += hash;
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<std::string> looks_of(const Solution& solution) {
@@ -26,7 +39,15 @@ std::vector<std::string> looks_of(const Solution& solution) {
   return looks;
 }
 
-std::string DistinctResults::key(const Solution& solution) {
+bool DistinctResults::add(const Solution& solution) {
+  const std::uint64_t names = hash_of_names(solution);
+  const auto [known, is_new] = seen_.try_emplace(key(solution, apart_), names);
+  if (known->second != names) names_differed_ = true;
+  return is_new;
+}
+
+std::string DistinctResults::key(const Solution& solution, Apart apart) {
+  if (apart == Apart::kValue) return to_json(solution.before_output.value_or(solution.value));
   return fmt::format("{}\n{}", to_json(solution.value), fmt::join(looks_of(solution), "\n"));
 }
 

@@ -1,6 +1,8 @@
 #pragma once
+#include <atomic>
+#include <cstdint>
 #include <string>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include "engines/solution.h"
@@ -14,13 +16,19 @@ std::vector<std::string> looks_of(const Solution& solution);
 /// them. Which of several like objects is which does not count.
 class DistinctResults {
  public:
-  /// Returns true if no solution before looked like this one.
-  bool add(const Solution& solution) { return seen_.insert(key(solution)).second; }
+  explicit DistinctResults(Apart apart = Apart::kResult) : apart_(apart) {}
 
-  static std::string key(const Solution& solution);
+  /// Returns true if no solution before looked like this one; with Apart::kValue, if none had this value.
+  bool add(const Solution& solution);
+  /// Returns true if some solution looked like an earlier one, but things had other names or extras.
+  bool names_differed() const { return names_differed_; }
+
+  static std::string key(const Solution& solution, Apart apart = Apart::kResult);
 
  private:
-  std::unordered_set<std::string> seen_;
+  Apart apart_;
+  std::unordered_map<std::string, std::uint64_t> seen_;  // with a hash of the names and extras
+  std::atomic<bool> names_differed_ = false;             // other threads may ask
 };
 
 }  // namespace solitaire

@@ -25,10 +25,11 @@ BrokenAssert broken_of(Rejection rejection) {
 Solution solution_of(Execution execution, const AddressTable& addresses) {
   Solution solution;
   solution.value = plain(execution.value);
+  if (!execution.before_output.is<Value::Unset>()) solution.before_output = plain(execution.before_output);
   solution.choices.reserve(execution.choices.size());
   for (const MetChoice& choice : execution.choices)
-    solution.choices.push_back(
-        {addresses.text(choice.address), choice.domain.family, choice.value, element_text(choice.element)});
+    (choice.auxiliary ? solution.auxiliary : solution.choices)
+        .push_back({addresses.text(choice.address), choice.domain.family, choice.value, element_text(choice.element)});
   solution.placements.reserve(execution.placements.size());
   for (Placement& placement : execution.placements)
     solution.placements.push_back({static_cast<PlacedItem&&>(placement), {}});
@@ -40,6 +41,12 @@ Solution solution_of(Execution execution, const AddressTable& addresses) {
   solution.unit = execution.unit;
   solution.printed = std::move(execution.printed);
   return solution;
+}
+
+ChosenValues all_choices(const Solution& solution) {
+  ChosenValues all = solution.choices;
+  all.insert(all.end(), solution.auxiliary.begin(), solution.auxiliary.end());
+  return all;
 }
 
 }  // namespace solitaire

@@ -65,12 +65,21 @@ struct Quality {
   bool proved = false;     // it is proved that no better one is left
 };
 
+/// What makes two solutions different.
+enum class Apart : std::uint8_t {
+  kChoices,  // their choices, but for auxiliary ones
+  kResult,   // what they look like: the value, and the scene
+  kValue,    // what the program returned, before its output if it has one
+};
+
 /// A result that an engine found. Of a program it is an execution in which every assert holds, unless asserts
 /// may be broken: the program was run with these choices, or, where the engine was allowed to, what it does
 /// with them was read off its trace. An engine without a program fills in what it knows.
 struct Solution {
-  PlainValue value;      // what the program returned
-  ChosenValues choices;  // in the order in which the execution meets them
+  PlainValue value;                         // what the program returned
+  std::optional<PlainValue> before_output;  // what it had returned before its output, if it has one
+  ChosenValues choices;                     // in the order in which the execution meets them
+  ChosenValues auxiliary;  // likewise, those that make no solutions different; needed to run it again
   std::vector<PlacedObject> placements;
   std::vector<BrokenAssert> broken;
   std::vector<UnmetWish> unmet;
@@ -79,5 +88,8 @@ struct Solution {
   double unit = 1;                   // metres in one unit of the program
   std::vector<std::string> printed;  // lines
 };
+
+/// Returns what runs the solution again.
+ChosenValues all_choices(const Solution& solution);
 
 }  // namespace solitaire

@@ -94,6 +94,9 @@ class CountingAlike {
   virtual ~CountingAlike() = default;
   /// May be called from another thread.
   virtual std::uint64_t alike() const = 0;
+  /// Returns true if some of them, or of those that were not looked for, differ in names or extras of placed
+  /// things.
+  virtual bool names_differed() const = 0;
 };
 
 /// Tells where the time went.

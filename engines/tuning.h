@@ -124,4 +124,8 @@ constexpr unsigned kPublishedWidth = 16;
 /// Conflicts of the search after which the question whether a near miss can come nearer is given up.
 constexpr std::uint64_t kEffortForNearness = 2000;
 
+/// How many solutions that look like earlier ones an enumeration passes over before it asks a solver for what
+/// looks different.
+inline constexpr std::size_t kMostAlikePassedOver = 1000;
+
 }  // namespace solitaire::tuning

@@ -49,7 +49,7 @@ Ending tell_possibilities(const Questions& asked, ExplainObserver& observer) {
   observer.asserts(frozen(find_dead_asserts(asked.parsed, asked.params, engine), asked.parsed.sources));
   observer.begun("looking for values that never occur");
   AddressTable addresses;
-  find_reachable_values(asked.parsed, asked.params, engine, addresses,
+  find_reachable_values(asked.parsed, asked.params, engine, addresses, asked.options.all_choices,
                         [&](const solitaire::ReachableValues& choice) {
                           const bool telling = !choice.pinned && choice.restricted();
                           if (telling || asked.options.all_choices)

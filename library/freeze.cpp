@@ -100,6 +100,7 @@ Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const
   made.value = frozen(solution.value);
   made.text = solitaire::to_text(solution.value);
   made.choices = frozen_choices(solution.choices);
+  made.auxiliary = frozen_choices(solution.auxiliary);
   if (const auto& quality = solution.quality)
     made.quality = Quality{quality->broken, quality->wishes, quality->cost, quality->proved,
                            solution.only_wish && sources.text(*solution.only_wish).starts_with("maximize")};

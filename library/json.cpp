@@ -124,21 +124,39 @@ Json json_of(const Solution& solution) {
   return json;
 }
 
+Json json_of(const std::vector<Choice>& choices) { return list_of(choices, choice_json); }
+
 std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-std::vector<Choice> choices_of(const Json& solution, const std::string& file) {
-  if (!solution.is_object() || !solution.contains("choices") || !solution["choices"].is_array())
+namespace {
+
+std::vector<Choice> read_choices(const Json& solution, const char* name, const std::string& file) {
+  if (!solution.is_object() || !solution.contains(name) || !solution[name].is_array())
     throw Error(Error::Kind::kFile, file + ": is not the .json file of a solution");
   std::vector<Choice> choices;
-  for (const Json& choice : solution["choices"]) {
+  for (const Json& choice : solution[name]) {
     if (!is_choice(choice)) {
       throw Error(Error::Kind::kFile,
                   file + ": has a choice that is not of the form {\"at\": ADDRESS, \"value\": VALUE}");
     }
     choices.push_back({choice["at"].get<std::string>(), read_value(choice["value"])});
   }
+  return choices;
+}
+
+}  // namespace
+
+std::vector<Choice> choices_of(const Json& solution, const std::string& file) {
+  return read_choices(solution, "choices", file);
+}
+
+std::vector<Choice> all_choices_of(const Json& solution, const std::string& file) {
+  std::vector<Choice> choices = choices_of(solution, file);
+  if (!solution.contains("auxiliary")) return choices;
+  const std::vector<Choice> auxiliary = read_choices(solution, "auxiliary", file);
+  choices.insert(choices.end(), auxiliary.begin(), auxiliary.end());
   return choices;
 }
 

@@ -20,5 +20,8 @@ std::string json_text(const Json& json, int indent = -1);
 /// Returns the choices of a solution's object. Throws Error (kFile), which names `file`, if it has none in
 /// that form.
 std::vector<Choice> choices_of(const Json& solution, const std::string& file);
+/// Returns these and, behind them, the auxiliary ones.
+std::vector<Choice> all_choices_of(const Json& solution, const std::string& file);
+Json json_of(const std::vector<Choice>& choices);
 
 }  // namespace solitaire::api

@@ -213,6 +213,7 @@ class OutputFolder::State {
     Json file{{"name", name}, {"index", solution.number}};
     file.update(run_json(program_, options_));
     file.update(json_of(solution));
+    if (!solution.auxiliary.empty()) file["auxiliary"] = json_of(solution.auxiliary);
     if (timings_) file["timings"] = timings_json(summary.times);
     return json_text(file, 1) + "\n";
   }

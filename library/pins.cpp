@@ -45,7 +45,7 @@ class Keep {
     addresses_.push_back(address.steps());
     bool kept = patterns_.empty();
     for (std::size_t i = 0; i < patterns_.size(); ++i) {
-      if (!patterns_[i].matches(address.steps())) continue;
+      if (!matches_part(patterns_[i], address.steps())) continue;
       used_[i] = true;
       kept = true;
     }
@@ -63,6 +63,14 @@ class Keep {
   }
 
  private:
+  /// What the pattern matches is kept with all below it.
+  static bool matches_part(const AddressPattern& pattern, std::vector<std::string> steps) {
+    for (; !steps.empty(); steps.pop_back()) {
+      if (pattern.matches(steps)) return true;
+    }
+    return false;
+  }
+
   std::vector<AddressPattern> patterns_;
   std::vector<bool> used_;
   std::vector<std::vector<std::string>> addresses_;  // of all choices of the file

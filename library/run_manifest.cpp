@@ -10,6 +10,11 @@
 namespace solitaire::api {
 namespace {
 
+const char* name_of(Distinct distinct) {
+  if (distinct == Distinct::kChoices) return "choices";
+  return distinct == Distinct::kResult ? "result" : "value";
+}
+
 const char* level_name(Diversity level) {
   switch (level) {
     case Diversity::kLow:
@@ -59,7 +64,7 @@ Diversity diversity_of(const SearchOptions& options) {
 
 /// Returns those options that decide which solutions come, apart from how many there are to be.
 Json options_json(const SearchOptions& options) {
-  Json json{{"distinct", options.distinct == Distinct::kResult ? "result" : "choices"},
+  Json json{{"distinct", name_of(options.distinct)},
             {"diversity", level_name(diversity_of(options))}};
   if (options.min_distance > 0) json["min_distance"] = options.min_distance;
   json["explore"] = options.exploration_name();

@@ -53,11 +53,12 @@ std::uint64_t SearchAccount::solutions() const {
   return solutions_;
 }
 
-Summary SearchAccount::summary(std::uint64_t alike) const {
+Summary SearchAccount::summary(std::uint64_t alike, bool names_differed) const {
   const std::lock_guard lock(mutex_);
   return {solutions_,
           earlier_,
           alike,
+          names_differed,
           choice_distance_.value(),
           result_distance_.value(),
           {times_.explore, times_.encode, times_.solve, times_.replay, times_.replays}};

@@ -26,9 +26,21 @@ SearchOptions with_stop(SearchOptions options, const StopToken& stop) {
   return options;
 }
 
+Apart apart_of(Distinct distinct) {
+  switch (distinct) {
+    case Distinct::kChoices:
+      return Apart::kChoices;
+    case Distinct::kResult:
+      return Apart::kResult;
+    case Distinct::kValue:
+      break;
+  }
+  return Apart::kValue;
+}
+
 SeriesOptions series_options(const Program& program, const SearchOptions& options) {
   SeriesOptions series;
-  series.distinct_results = options.distinct == Distinct::kResult;
+  series.apart = apart_of(options.distinct);
   if (!options.all) series.most = options.count;
   series.jobs = options.jobs;
   series.make_params = [program] { return values_of_params(program.state(), program.settings()); };
@@ -54,7 +66,7 @@ std::unique_ptr<SolutionStream> stream_of(const Program& program, const ParamVal
   const TracingOptions tracing = engine_options(options);
   const solitaire::Program& parsed = program.state().program;
   if (options.sampling == Sampling::kUniform) {
-    return std::make_unique<UniformSeries>(parsed, params, tracing, options.distinct == Distinct::kResult);
+    return std::make_unique<UniformSeries>(parsed, params, tracing, apart_of(options.distinct));
   }
   return std::make_unique<Series>(parsed, params, tracing, series_options(program, options));
 }
@@ -121,6 +133,11 @@ void Search::State::begin() {
 std::uint64_t Search::State::alike() const {
   const auto* counting = ability_of<CountingAlike>(*stream_);
   return counting != nullptr ? counting->alike() : 0;
+}
+
+bool Search::State::names_differed() const {
+  const auto* counting = ability_of<CountingAlike>(*stream_);
+  return counting != nullptr && counting->names_differed();
 }
 
 void Search::State::take_times() {

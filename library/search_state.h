@@ -21,7 +21,7 @@ class SearchAccount {
   void forget_best();
   std::optional<Solution> take_best();
   std::uint64_t solutions() const;
-  Summary summary(std::uint64_t alike) const;
+  Summary summary(std::uint64_t alike, bool names_differed) const;
 
  private:
   /// Two solutions are compared by these.
@@ -47,7 +47,7 @@ class Search::State {
   StopToken stop_token() const { return stop_.token(); }
   void observe(SearchObserver* observer) { observer_ = observer; }
   std::vector<Solution> resume(const std::vector<std::vector<Choice>>& earlier);
-  Summary summary() const { return account_.summary(alike()); }
+  Summary summary() const { return account_.summary(alike(), names_differed()); }
   std::optional<Solution> take_best_so_far() { return account_.take_best(); }
   void write_formula(const std::filesystem::path& path);
 
@@ -56,6 +56,7 @@ class Search::State {
   void start_clock();
   void begin();
   std::uint64_t alike() const;
+  bool names_differed() const;
   void take_times();
   std::optional<solitaire::Solution> find();
   void improved(const solitaire::Solution& solution);

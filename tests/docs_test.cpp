@@ -233,7 +233,7 @@ void check_possibilities(const PageProgram& shown, const Program& program, const
   for (const DeadAssert& each : find_dead_asserts(program, params, {}).dead)
     dead.emplace(program.sources.text(each.span));
   AddressTable addresses;
-  find_reachable_values(program, params, {}, addresses, [&](const ReachableValues& choice) {
+  find_reachable_values(program, params, {}, addresses, false, [&](const ReachableValues& choice) {
     if (choice.restricted()) values.insert(trimmed(api::frozen(choice, addresses).text));
   });
   CHECK(dead == texts_of(shown.of("dead")));

@@ -58,7 +58,7 @@ struct Sample {
 
     AddressTable addresses;
     std::vector<ReachableValues> choices;
-    find_reachable_values(run.program, run.params, options, addresses,
+    find_reachable_values(run.program, run.params, options, addresses, true,
                           [&](const ReachableValues& choice) { choices.push_back(choice); });
     const Checked of_values = check_values(run, choices, addresses);
     CHECK(of_values.wrong == "");

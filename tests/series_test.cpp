@@ -37,7 +37,7 @@ std::vector<ChosenValues> take_choices(Series& series, std::size_t count) {
 
 SeriesOptions different_looks() {
   SeriesOptions options;
-  options.distinct_results = true;
+  options.apart = Apart::kResult;
   return options;
 }
 

@@ -98,7 +98,7 @@ TEST_CASE("solution: a stream says what it can do, and one without a program nee
 
   const Program program = program_of("return range(0, 3);");
   Series series(program, {}, {}, {});
-  UniformSeries uniform(program, {}, {}, false);
+  UniformSeries uniform(program, {}, {}, Apart::kChoices);
   ExhaustiveEngine everything(program, {}, {});
   CHECK(ability_of<Resumable>(series) != nullptr);
   CHECK(ability_of<Improving>(series) != nullptr);

@@ -27,7 +27,7 @@ Listed list(const Program& program) {
   TracingOptions tracing;
   tracing.diverse = false;
   SeriesOptions options;
-  options.distinct_results = true;
+  options.apart = Apart::kResult;
   Series series(program, {}, tracing, options);
   Listed listed;
   while (const auto solution = series.next()) {

@@ -149,6 +149,10 @@ class TreeCheck {
         return expression(static_cast<const ParamStmt&>(*node).value.get(), span);
       case StmtKind::kImport:
         return within(static_cast<const ImportStmt&>(*node).path_span, span);
+      case StmtKind::kOutput:
+        return statement(static_cast<const OutputStmt&>(*node).body.get(), span);
+      case StmtKind::kAuxiliary:
+        return statement(static_cast<const AuxiliaryStmt&>(*node).body.get(), span);
       case StmtKind::kError:
         has_error = true;
         return;

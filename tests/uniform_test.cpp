@@ -185,11 +185,11 @@ void check_resumed(const UniformOptions& uniform, bool distinct, const std::vect
   const Program program = program_of(kRooks);
   TracingOptions tracing;
   tracing.seed = 7;
-  UniformSeries whole(program, {}, tracing, distinct, uniform);
+  UniformSeries whole(program, {}, tracing, distinct ? Apart::kResult : Apart::kChoices, uniform);
   const std::vector<ChosenValues> expected = take(whole, count);
   for (const std::size_t cut : cuts) {
     CAPTURE(cut);
-    UniformSeries series(program, {}, tracing, distinct, uniform);
+    UniformSeries series(program, {}, tracing, distinct ? Apart::kResult : Apart::kChoices, uniform);
     const auto middle = expected.begin() + static_cast<std::ptrdiff_t>(cut);
     series.resume({expected.begin(), middle});
     const std::vector<ChosenValues> rest = take(series, count - cut);

@@ -21,6 +21,13 @@ draw_sheet() {
   cp "$work/$1/sheet.png" "$images/$1.png"
 }
 
+# draw_recipe NAME [OPTION]...: the program of docs/cookbook.md that is fenced as NAME.sol.
+draw_recipe() {
+  awk -v fence="\`\`\`sol file=$1.sol" '$0 == fence { on = 1; next } /^```/ { on = 0 } on' docs/cookbook.md >"$work/$1.sol"
+  "$solitaire" generate "$work/$1.sol" -n 1 --png-size 640x400 --quiet -o "$work/$1" "${@:2}"
+  cp "$work/$1/$1-0001.png" "$images/$1.png"
+}
+
 draw_sheet workspaces workspace
 draw workspace workspace --seed 1
 draw workspace_open workspace_open
@@ -33,3 +40,8 @@ draw spaceship spaceship --seed 3
 # The models, a sheet for each set.
 "$solitaire" assets --png --png-size 240x180 --quiet -o "$work/models" >/dev/null
 cp "$work"/models/models-*.png "$images/"
+for recipe in cave river roads rooms level tower parking; do draw_recipe "$recipe"; done
+for example in restaurant kitchen shop dungeon platforms island garden city seating roof bricks; do
+  "$solitaire" generate "examples/$example.sol" -n 1 --png-size 640x400 --quiet -o "$work/$example"
+  cp "$work/$example/$example-0001.png" "$images/example_$example.png"
+done

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engines/solve/auxiliary.h"
 #include "engines/solve/exclusion.h"
 #include "tracegraph/cone.h"
 
@@ -96,15 +97,18 @@ void SpacePart::decode(const BitModel& model, VariableValues& values) const {
 SolutionSpace::SolutionSpace(TracedProgram& program)
     : graph_(program.graph()),
       addresses_(program.addresses()),
-      meeting_(meeting_conditions(program.graph(), program.trace())) {
+      meeting_(meeting_conditions(program.graph(), program.trace())),
+      auxiliary_(auxiliary_variables(program.graph(), program.trace())) {
   std::vector<NodeId> conditions = program.requirements(true);
   const std::vector<NodeId> fixed = fixed_unmet_choices(program.graph(), meeting_);
   conditions.insert(conditions.end(), fixed.begin(), fixed.end());
   conditions = conjuncts(graph_, std::move(conditions));
   DisjointSets sets = tied_nodes(graph_, conditions);
   std::map<std::size_t, std::pair<std::vector<std::size_t>, std::vector<NodeId>>> parts;
-  for (const auto& [variable, condition] : meeting_)
-    parts[sets.find(graph_.variable_node(variable).index)].first.push_back(variable);
+  for (const auto& [variable, condition] : meeting_) {
+    if (auxiliary_.count(variable) == 0)
+      parts[sets.find(graph_.variable_node(variable).index)].first.push_back(variable);
+  }
   for (const NodeId condition : conditions) parts[sets.find(condition.index)].second.push_back(condition);
   for (auto& [set, part] : parts) parts_.emplace_back(graph_, std::move(part.first), std::move(part.second));
 }
@@ -138,7 +142,8 @@ VariableValues SolutionSpace::values_of(const ChosenValues& choices) const {
   Assignment assignment = assignment_of(graph_, known);
   VariableValues values = lowest();
   for (const auto& [variable, condition] : meeting_) {
-    if (assignment.holds(condition)) values[variable] = assignment.value(graph_.variable_node(variable))->i;
+    if (auxiliary_.count(variable) == 0 && assignment.holds(condition))
+      values[variable] = assignment.value(graph_.variable_node(variable))->i;
   }
   return values;
 }

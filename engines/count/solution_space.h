@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <set>
 
 #include "engines/solve/meeting.h"
 #include "engines/solve/traced_program.h"
@@ -47,9 +48,9 @@ class SpacePart {
   std::shared_ptr<Compiled> compiled_;  // once it is needed
 };
 
-/// All solutions of a program as values of the choices' variables: each solution is exactly one of them. A
-/// choice that a solution does not meet has its lowest value, or else a path with fewer choices would count
-/// more often.
+/// All solutions of a program as values of the choices' variables: each solution is exactly one of them.
+/// Auxiliary choices make no solutions different, and have their lowest values here. A choice that a solution
+/// does not meet has its lowest value, or else a path with fewer choices would count more often.
 class SolutionSpace {
  public:
   /// Every path that an execution can take has to be explored.
@@ -62,11 +63,14 @@ class SolutionSpace {
   VariableValues lowest() const;
   /// Returns the values that stand for the solution with these choices.
   VariableValues values_of(const ChosenValues& choices) const;
+  /// The numbers of the auxiliary choices' variables, which are in no part.
+  const std::set<std::size_t>& auxiliary() const { return auxiliary_; }
 
  private:
   const Graph& graph_;
   AddressTable& addresses_;
   MeetingConditions meeting_;
+  std::set<std::size_t> auxiliary_;
   std::vector<SpacePart> parts_;
 };
 

@@ -113,8 +113,7 @@ std::optional<Solution> UniformEngine::next() {
     while (!all_drawn()) {
       const VariableValues values = draw();
       if (!drawn_.insert(values).second) continue;
-      Assignment assignment(program_.graph(),
-                            [&](std::size_t variable) { return Scalar::of(values[variable]); });
+      Assignment assignment = completed(values);
       return program_.solution(program_.execution(assignment));
     }
     ending_ = Ending::kExhausted;
@@ -122,6 +121,25 @@ std::optional<Solution> UniformEngine::next() {
     ending_ = Ending::kStopped;
   }
   return std::nullopt;
+}
+
+/// The values, which outlive it, with those of auxiliary choices that fit them.
+Assignment UniformEngine::completed(const VariableValues& values) {
+  Graph& graph = program_.graph();
+  if (space_->auxiliary().empty())
+    return {graph, [&values](std::size_t variable) { return Scalar::of(values[variable]); }};
+  const auto outcome = program_.solver().find([&] {
+    std::vector<NodeId> equal;
+    for (std::size_t variable = 0; variable < values.size(); ++variable) {
+      if (space_->auxiliary().count(variable) != 0) continue;
+      equal.push_back(
+          graph.apply(Op::kEqInt, {graph.variable_node(variable), graph.constant(values[variable])}));
+    }
+    return equal;
+  });
+  if (outcome == ExecutionSolver::Outcome::kStopped) throw Interrupted{};
+  if (outcome != ExecutionSolver::Outcome::kFound) throw InternalError("no auxiliary choices fit a sample");
+  return program_.solver().assignment();
 }
 
 void UniformEngine::exclude(const ChosenValues& choices) {

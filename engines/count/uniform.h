@@ -51,6 +51,7 @@ class UniformEngine : public SolutionStream, public Exploring, public Timed {
  private:
   void prepare();
   VariableValues draw();
+  Assignment completed(const VariableValues& values);
   BitModel draw_of_rest();
   bool all_drawn() const;
   bool worth_listing() const;

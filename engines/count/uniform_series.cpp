@@ -15,7 +15,7 @@ std::vector<Solution> UniformSeries::resume(const std::vector<ChosenValues>& ear
 std::optional<Solution> UniformSeries::next() {
   while (true) {
     std::optional<Solution> solution = engine_.next();
-    if (!solution || results_.add(*solution) || !distinct_results_) return solution;
+    if (!solution || results_.add(*solution) || apart_ == Apart::kChoices) return solution;
     ++alike_;
     engine_.pass_over();
   }

@@ -16,9 +16,9 @@ class UniformSeries : public SolutionStream,
                       public CountingAlike,
                       public Timed {
  public:
-  UniformSeries(const Program& program, const ParamValues& params, const TracingOptions& tracing,
-                bool distinct_results, const UniformOptions& uniform = {})
-      : engine_(program, params, tracing, uniform), distinct_results_(distinct_results) {}
+  UniformSeries(const Program& program, const ParamValues& params, const TracingOptions& tracing, Apart apart,
+                const UniformOptions& uniform = {})
+      : engine_(program, params, tracing, uniform), apart_(apart), results_(apart) {}
 
   std::vector<Solution> resume(const std::vector<ChosenValues>& earlier) override;
   bool catch_up() override { return true; }
@@ -29,10 +29,11 @@ class UniformSeries : public SolutionStream,
   std::size_t graph_size() const override { return engine_.graph_size(); }
   EngineTimes times() const override { return engine_.times(); }
   std::uint64_t alike() const override { return alike_; }
+  bool names_differed() const override { return results_.names_differed(); }
 
  private:
   UniformEngine engine_;
-  bool distinct_results_;
+  Apart apart_;
   DistinctResults results_;
   std::atomic<std::uint64_t> alike_ = 0;
 };

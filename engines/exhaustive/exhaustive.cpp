@@ -21,6 +21,7 @@ std::optional<Solution> ExhaustiveEngine::next() {
       if (limits_.stop != nullptr && limits_.stop->stopped()) throw Interrupted{};
       Execution& execution = executor_.run(odometer_);
       if (execution.rejection) continue;
+      if (!is_new(execution)) continue;
       add_texts(execution, program_, addresses_);
       return solution_of(std::move(execution), addresses_);
     } catch (const Interrupted&) {
@@ -28,6 +29,16 @@ std::optional<Solution> ExhaustiveEngine::next() {
     }
   }
   return std::nullopt;
+}
+
+/// Executions that differ in auxiliary choices alone are one solution.
+bool ExhaustiveEngine::is_new(const Execution& execution) {
+  Valuation shown;
+  for (const MetChoice& choice : execution.choices) {
+    if (!choice.auxiliary) shown.emplace(choice.address, choice.value);
+  }
+  if (shown.size() == execution.choices.size()) return true;
+  return known_.insert(std::move(shown)).second;
 }
 
 }  // namespace solitaire

@@ -1,7 +1,10 @@
 #pragma once
+#include <set>
+
 #include "engines/exhaustive/exhaustive_choices.h"
 #include "engines/solution_stream.h"
 #include "solitaire/run/evaluator.h"
+#include "tracegraph/valuation.h"
 
 namespace solitaire {
 
@@ -18,12 +21,15 @@ class ExhaustiveEngine : public SolutionStream {
   std::uint64_t executions() const { return executions_; }
 
  private:
+  bool is_new(const Execution& execution);
+
   const Program& program_;
   ParamValues params_;
   Limits limits_;
   AddressTable addresses_;
   Executor executor_;
   ExhaustiveChoices odometer_;
+  std::set<Valuation> known_;  // what tells solutions with auxiliary choices apart
   Ending ending_ = Ending::kNone;
   std::uint64_t executions_ = 0;
 };

@@ -18,12 +18,13 @@ class Survey {
         choices_(pins_),
         solver_(program, params, options, choices_, graph_, addresses, [](const Term&) { return true; }) {}
 
-  void run(const std::function<void(const ReachableValues&)>& told) {
+  void run(bool with_auxiliary, const std::function<void(const ReachableValues&)>& told) {
     for (std::uint64_t i = 0; i < tuning::kSamplesOfValues; ++i) {
       solver_.suggest_random_values(i);
       if (!find([] { return kTrue; })) break;
     }
     for (std::size_t i = 0; i < found_.size(); ++i) {  // grows while more is explored
+      if (found_[i].auxiliary && !with_auxiliary) continue;
       if (found_[i].listed) {
         list_values(i);
       } else {
@@ -56,6 +57,7 @@ class Survey {
       const auto [it, added] = index_.try_emplace(choice.address, found_.size());
       if (added) {
         found_.push_back({choice.address, choice.span, choice.domain, {}});
+        found_.back().auxiliary = choice.auxiliary;
         found_.back().pinned = pins_.fixing(choice.address) != nullptr;
       }
       Distribution& domain = found_[it->second].domain;
@@ -135,8 +137,9 @@ bool ReachableValues::restricted() const {
 }
 
 void find_reachable_values(const Program& program, const ParamValues& params, const TracingOptions& options,
-                           AddressTable& addresses, const std::function<void(const ReachableValues&)>& told) {
-  Survey(program, params, options, addresses).run(told);
+                           AddressTable& addresses, bool with_auxiliary,
+                           const std::function<void(const ReachableValues&)>& told) {
+  Survey(program, params, options, addresses).run(with_auxiliary, told);
 }
 
 }  // namespace solitaire

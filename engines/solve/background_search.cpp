@@ -43,7 +43,7 @@ void BackgroundSearch::run() {
         lock.unlock();
         return finish(engine.ending(), nullptr);
       }
-      found_.push_back(solution->choices);
+      found_.push_back(all_choices(*solution));
       changed_.notify_all();
     }
     finish(Ending::kStopped, nullptr);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engines/errors.h"
+#include "engines/solve/auxiliary.h"
 
 namespace solitaire {
 
@@ -10,10 +11,11 @@ void Distances::keep_away_from(Valuation solution) {
   if (bound_.any()) kept_.push_back({std::move(solution)});
 }
 
-bool Distances::too_near(const Valuation& model) {
+bool Distances::too_near(const Valuation& all_choices) {
   bool near = false;
+  const Valuation model = without(auxiliary_choices(solver_.trace()), all_choices);
   for (KeptAway& kept : kept_) {
-    if (bound_.reached(overlap_of(model, kept.values))) continue;
+    if (bound_.reached(overlap_of(model, shown(kept)))) continue;
     if (std::exchange(kept.told_in_pass, solver_.passes()) == solver_.passes())
       throw InternalError("a model is nearer to an earlier solution than its constraint allows");
     const Stopwatch watch(solver_.times().encode);
@@ -32,8 +34,12 @@ std::vector<NodeId> Distances::conditions() {
 
 /// The choices of an execution that leaves the paths explored so far are not known, so nothing is said of it.
 NodeId Distances::condition(const KeptAway& kept) {
-  return solver_.graph().disjunction(far_from(solver_.graph(), solver_.trace(), kept.values, bound_),
+  return solver_.graph().disjunction(far_from(solver_.graph(), solver_.trace(), shown(kept), bound_),
                                      solver_.unexplored());
+}
+
+Valuation Distances::shown(const KeptAway& kept) const {
+  return without(auxiliary_choices(solver_.trace()), kept.values);
 }
 
 }  // namespace solitaire

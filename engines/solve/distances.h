@@ -27,6 +27,7 @@ class Distances {
     std::size_t told_in_pass = 0;  // the last pass in which the solver was told of it
   };
   NodeId condition(const KeptAway& kept);
+  Valuation shown(const KeptAway& kept) const;
 
   ExecutionSolver& solver_;
   DistanceBound bound_;

@@ -2,8 +2,10 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
+#include "engines/solve/auxiliary.h"
 #include "engines/solve/execution_solver.h"
 
 namespace solitaire {
@@ -39,14 +41,22 @@ class Exclusion {
     std::optional<std::vector<NodeId>> differs;
   };
 
+  /// What tells solutions apart: the values of the choices that are not auxiliary.
+  Valuation key(const Valuation& values) const {
+    return auxiliary_.empty() ? values : without(auxiliary_, values);
+  }
+  void find_auxiliary();
   void tell(Known& known);
+  std::vector<NodeId> difference(const TracedChoices& met, Assignment& assignment);
   bool tells_at_once() const;
 
   ExecutionSolver& solver_;
   const SearchMethod& method_;
   bool diverse_;
   bool relax_;
+  Apart apart_;
   std::vector<Known> known_;
+  std::unordered_set<AddressId> auxiliary_;
   std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // numbers of known solutions
   std::size_t repeated_ = 0;                                     // models that were known solutions
 };

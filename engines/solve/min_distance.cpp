@@ -35,6 +35,7 @@ NodeId far_from(Graph& graph, const Trace& trace, const Valuation& solution, con
   // there. `extra` maps each other address to the condition that an execution comes there.
   std::map<AddressId, NodeId> shared, extra;
   for (const TraceChoice& choice : trace.choices) {
+    if (choice.auxiliary) continue;
     const auto known = solution.find(choice.address);
     NodeId condition = choice.guard;
     if (known != solution.end()) {

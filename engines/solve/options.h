@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engines/solution.h"
 #include "engines/solve/explore.h"
 #include "engines/solve/method.h"
 #include "engines/solve/min_distance.h"
@@ -39,7 +40,8 @@ struct TracingOptions {
   /// If true, of solutions that look alike one will do: not all need to be found, where they are gone through
   /// in order.
   bool one_of_alike = false;
-  bool relax = false;  // asserts may be broken, as few as possible
+  Apart apart = Apart::kChoices;  // what a further solution has to differ in, where the trace says it
+  bool relax = false;             // asserts may be broken, as few as possible
   /// Seconds from the start of the search for a solution after which it is no longer made better.
   std::optional<double> improvement_time;
   std::vector<Pin> pins;

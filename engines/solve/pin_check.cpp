@@ -16,6 +16,23 @@ std::vector<const Pin*> unmatched_pins(Pins& pins, const Trace& trace) {
   return pins.unmatched(addresses);
 }
 
+/// The name in a step, without its number among others of that name and without turns.
+std::string bare_name(const std::string& step) { return step.substr(0, step.find_first_of("#[")); }
+
+/// The addresses of choices for a field that the pattern names without its variable, as files of solutions
+/// did once.
+std::vector<std::string> fields_meant(const AddressPattern& pattern,
+                                      const std::vector<std::vector<std::string>>& known) {
+  std::vector<std::string> meant;
+  const std::string field = '.' + bare_name(pattern.steps().back());
+  for (const std::vector<std::string>& steps : known) {
+    const std::string name = bare_name(steps.back());
+    if (name.size() > field.size() && name.ends_with(field) && meant.size() < 3)
+      meant.push_back(fmt::format("{}", fmt::join(steps, "/")));
+  }
+  return meant;
+}
+
 /// Returns the choices of a program on all paths: without pins, and where executions go on past broken
 /// asserts.
 std::vector<AddressId> all_choices(const Program& program, const ParamValues& params, TracingOptions options,
@@ -46,6 +63,12 @@ UnmatchedPin error_of(const Pin& pin, const std::vector<AddressId>& choices, con
     return UnmatchedPin(fmt::format("{}: {}", pin.source, help));
   std::vector<std::vector<std::string>> known;
   for (const AddressId choice : choices) known.push_back(addresses.steps(choice));
+  const std::vector<std::string> fields = fields_meant(pin.pattern, known);
+  if (!fields.empty()) {
+    return UnmatchedPin(
+        fmt::format("{}: no choice has such an address; a field is named with its variable: {}", pin.source,
+                    fmt::join(fields, ", ")));
+  }
   const std::vector<std::string> nearest = nearest_patterns(pin.pattern, known, 3);
   if (nearest.empty()) return UnmatchedPin(fmt::format("{}: the program has no choices", pin.source));
   return UnmatchedPin(fmt::format("{}: no choice has such an address; the nearest {} {}", pin.source,

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "engines/resume.h"
+#include "engines/solve/seen.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
@@ -22,8 +23,13 @@ std::string key(const ChosenValues& choices) {
 
 Series::Series(const Program& program, ParamValues params, const TracingOptions& tracing,
                SeriesOptions options)
-    : program_(program), params_(std::move(params)), tracing_(tracing), options_(std::move(options)) {
-  tracing_.one_of_alike = options_.distinct_results;
+    : program_(program),
+      params_(std::move(params)),
+      tracing_(tracing),
+      options_(std::move(options)),
+      results_(options_.apart) {
+  tracing_.one_of_alike = options_.apart != Apart::kChoices;
+  tracing_.apart = options_.apart;
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_);
 }
 
@@ -138,9 +144,9 @@ std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {
 }
 
 void Series::remember(const Solution& solution) {
-  solutions_.push_back(solution.choices);
+  solutions_.push_back(all_choices(solution));
   choices_.insert(key(solution.choices));
-  if (options_.distinct_results) results_.add(solution);
+  if (options_.apart != Apart::kChoices) results_.add(solution);
 }
 
 std::optional<Solution> Series::next() {
@@ -155,7 +161,7 @@ bool Series::catch_up() {
   while (!to_repeat_.empty()) {
     const std::optional<Solution> solution = next_new();
     if (!solution && ending_ == Ending::kStopped) return false;
-    if (solution && key(solution->choices) == key(to_repeat_.front())) {
+    if (solution && key(all_choices(*solution)) == key(to_repeat_.front())) {
       to_repeat_.pop_front();
       continue;
     }
@@ -176,13 +182,18 @@ std::optional<Solution> Series::next_new() {
   while (true) {
     if (solutions_.size() >= block_.end) start(block_after(block_));
     std::optional<Solution> solution = next_of_block();
-    if (!solution) return solution;
+    if (!solution) {
+      if (ending_ == Ending::kExhausted && options_.apart == Apart::kResult)
+        names_are_chosen_ = chooses_names(engine_->traced().pass());
+      return solution;
+    }
     if (!choices_.insert(key(solution->choices)).second) continue;  // another block found it
-    if (options_.distinct_results && !results_.add(*solution)) {
+    if (options_.apart != Apart::kChoices && !results_.add(*solution)) {
       ++alike_;
+      if (!in_background()) engine_->hear_of_alike();
       continue;
     }
-    solutions_.push_back(solution->choices);
+    solutions_.push_back(all_choices(*solution));
     engine_->keep_away_from(solution->choices);
     return solution;
   }

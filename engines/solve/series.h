@@ -15,7 +15,7 @@
 namespace solitaire {
 
 struct SeriesOptions {
-  bool distinct_results = false;  // leave out solutions that look like earlier ones
+  Apart apart = Apart::kChoices;  // leave out solutions that are no others
   std::uint64_t most = 0;         // so many will be asked for at most; 0: nobody knows
   /// How many searches may be at work beside each other, on threads of their own. With 1, all is done on the
   /// thread that asks.
@@ -54,6 +54,7 @@ class Series : public SolutionStream,
   /// The formula of one engine that knows all solutions that came, and at the end that there are no others.
   Formula formula_of_rest() override;
   std::uint64_t alike() const override { return alike_; }
+  bool names_differed() const override { return names_are_chosen_ || results_.names_differed(); }
 
  private:
   struct Block {
@@ -90,6 +91,8 @@ class Series : public SolutionStream,
   std::vector<ChosenValues> solutions_;
   std::deque<ChosenValues> to_repeat_;  // solutions of the block that came already
   std::atomic<std::uint64_t> alike_ = 0;
+  std::atomic<bool> names_are_chosen_ =
+      false;  // where solutions that differ in these alone are not looked for
   Ending ending_ = Ending::kNone;
 };
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "engines/solve/seen.h"
 #include "engines/tuning.h"
 #include "tracegraph/cone.h"
 
@@ -69,27 +70,6 @@ class Shapes {
   std::map<Key, std::uint32_t> numbers_;
   std::vector<const Key*> keys_;  // by number
 };
-
-/// Returns true if all of the value is in its text.
-bool is_sayable(const Value& value) {
-  const auto all = [](const std::vector<Value>& values) { return std::ranges::all_of(values, is_sayable); };
-  if (const List* list = value.as_list()) return all(list->items);
-  if (const auto* record = value.object<Record>()) return all(record->fields);
-  if (const auto* text = value.object<String>()) return !text->opaque;
-  if (const Union* several = value.as_union()) {
-    return std::ranges::all_of(several->alternatives,
-                               [](const Union::Alternative& each) { return is_sayable(each.value); });
-  }
-  return !value.is_function();
-}
-
-/// The number of place()'s first arguments that decide what a thing looks like.
-constexpr std::size_t kLookArguments = 6;
-
-std::span<const Value> look_arguments(const SymbolicPlacement& placement) {
-  const std::span<const Value> all = placement.arguments;
-  return all.first(std::min(all.size(), kLookArguments));
-}
 
 /// Describes what a program requires, returns and shows, as text in terms of shapes.
 class Meaning {

@@ -1,8 +1,11 @@
 #include "engines/solve/tracing.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engines/errors.h"
+#include "engines/solve/seen.h"
+#include "engines/tuning.h"
 
 namespace solitaire {
 namespace {
@@ -111,9 +114,12 @@ void TracingEngine::remember(Valuation values) {
   if (met_pass_ > 0 && !enumeration_) exclusion_.tell_last();
 }
 
-/// Returns true where solutions are all as good, and no path is left unexplored.
+/// Returns true where solutions are all as good, no path is left unexplored, and every choice tells them
+/// apart.
 bool TracingEngine::can_enumerate() const {
-  return may_enumerate_ && traced_.trace().blockers.empty() && !traced_.trace().has_costs();
+  const Trace& trace = traced_.trace();
+  return may_enumerate_ && trace.blockers.empty() && !trace.has_costs() &&
+         std::ranges::none_of(trace.choices, &TraceChoice::auxiliary);
 }
 
 /// Returns nothing if there is no solution left, or another way has to find it.
@@ -145,6 +151,12 @@ std::optional<Solution> TracingEngine::next_enumerated() {
   Candidate found = candidate(assignment);
   remember(std::move(found.values));
   return std::move(found.solution);
+}
+
+void TracingEngine::hear_of_alike() {
+  if (++alike_ > tuning::kMostAlikePassedOver && enumeration_ &&
+      says_what_is_seen(traced_.pass(), options_.apart))
+    give_up_enumeration();
 }
 
 void TracingEngine::give_up_enumeration() {

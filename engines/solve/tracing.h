@@ -48,6 +48,9 @@ class TracingEngine : public SolutionStream,
   void keep_away_from(const ChosenValues& choices) { distances_.keep_away_from(addressed(choices)); }
   /// Makes a known solution. Throws NotASolution and Interrupted.
   Solution run(const ChosenValues& choices) { return traced_.solution(traced_.execution(choices)); }
+  /// Hears that the last solution is none of its own, since it looks like an earlier one. Where many are, it
+  /// no longer goes through all choices, but asks for what looks different.
+  void hear_of_alike();
   TracedProgram& traced() { return traced_; }
   const TracedProgram& traced() const { return traced_; }
 
@@ -72,6 +75,7 @@ class TracingEngine : public SolutionStream,
   std::unique_ptr<Enumeration> enumeration_;  // while it is what finds solutions
   bool may_enumerate_;
   std::size_t met_pass_ = 0;
+  std::size_t alike_ = 0;
   std::uint64_t number_;  // of the next solution; its random values depend on it
   std::function<void(const Solution&)> told_;
   Ending ending_ = Ending::kNone;

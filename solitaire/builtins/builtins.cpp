@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "solitaire/builtins/distributions.h"
+#include "solitaire/builtins/list_functions.h"
 #include "solitaire/builtins/models.h"
 #include "solitaire/builtins/placing.h"
+#include "solitaire/builtins/text_functions.h"
 #include "solitaire/run/evaluation.h"
 
 namespace solitaire {
@@ -92,21 +94,6 @@ Value prefer(Evaluator& evaluator, Call call) {
 }
 
 // ---- numbers
-
-Value extreme(Evaluator& evaluator, Call call, Op op) {
-  const Span span = call.site.span;
-  const auto fold = [&](Items items) -> Value {
-    if (items.empty()) evaluator.reject(ConstraintKind::kNotEmpty, span);
-    Value best = evaluator.pick(op, items.front(), items.front(), span);  // an error if it is no number
-    for (std::size_t i = 1; i < items.size(); ++i) best = evaluator.pick(op, best, items[i], span);
-    return best;
-  };
-  if (call.arguments.size() > 1) return fold(call.arguments);
-  return evaluator.with_items(call.arguments[0], operation(op).name.data(), span, fold);
-}
-
-Value minimum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMin); }
-Value maximum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMax); }
 
 Value absolute(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
@@ -238,10 +225,7 @@ Value sum(Evaluator& evaluator, Call call) {
 
 Value contains(Evaluator& evaluator, Call call) {
   return evaluator.with_items(call.arguments[0], "contains", argument_span(call, 0), [&](Items items) {
-    Value found = false;
-    for (const Value& item : items)
-      found = evaluator.either(found, evaluator.equal(item, call.arguments[1], call.site.span));
-    return found;
+    return evaluator.is_among(items, call.arguments[1], call.site.span);
   });
 }
 
@@ -321,33 +305,6 @@ Value null(Evaluator& evaluator, Call call) {
 
 // ---- text
 
-/// How many values a chosen int may have to be made into text.
-constexpr std::int64_t kMostChosenTexts = 256;
-
-Value str(Evaluator& evaluator, Call call) {
-  if (call.arguments[0].is<Joined>()) return call.arguments[0];
-  return evaluator.each_shape(call.arguments[0], [&](const Value& x) -> Value {
-    if (x.object<String>() != nullptr) return x;
-    evaluator.count_parts(x, call.site.span);
-    const Symbol* symbol = x.get<Symbol>();
-    if (symbol == nullptr && is_known(x)) return Value::string(to_text(evaluator.fixed(x, call.site.span)));
-    if (symbol == nullptr) return evaluator.opaque_string(call.site.span);
-    Graph& graph = evaluator.graph();
-    if (symbol->type == Type::kBool)
-      return merge(graph, symbol->node, Value::string("true"), Value::string("false"));
-    const Interval interval = graph.node(symbol->node).interval;
-    if (symbol->type == Type::kFloat || interval.hi - interval.lo >= kMostChosenTexts) {
-      return evaluator.opaque_string(call.site.span);
-    }
-    Value text = Value::string(std::to_string(interval.hi));
-    for (std::int64_t i = interval.hi - 1; i >= interval.lo; --i) {
-      const NodeId is = graph.apply(Op::kEqInt, {symbol->node, graph.constant(i)});
-      text = merge(graph, is, Value::string(std::to_string(i)), text);
-    }
-    return text;
-  });
-}
-
 Value print(Evaluator& evaluator, Call call) {
   evaluator.effects().needs_execution();
   for (const Value& value : call.arguments) evaluator.count_parts(value, call.site.span);
@@ -415,8 +372,8 @@ std::vector<Builtin> make_table() {
       {"prefer", {"condition", "weight"}, 1, false, false, false, prefer},
       {"minimize", {"x"}, 1, false, false, false, minimize},
       {"maximize", {"x"}, 1, false, false, false, maximize},
-      {"min", {"list"}, 1, kVariadic, false, false, minimum},
-      {"max", {"list"}, 1, kVariadic, false, false, maximum},
+      {"min", {"list"}, 1, kVariadic, kExtras, false, minimum},
+      {"max", {"list"}, 1, kVariadic, kExtras, false, maximum},
       {"abs", {"x"}, 1, false, false, false, absolute},
       {"mod", {"a", "b"}, 2, false, false, false, modulo},
       {"floor", {"x"}, 1, false, false, false, floor_of},
@@ -433,15 +390,24 @@ std::vector<Builtin> make_table() {
       {"length", {"list"}, 1, false, false, false, length},
       {"sum", {"list"}, 1, false, false, false, sum},
       {"contains", {"list", "value"}, 2, false, false, false, contains},
+      {"count", {"list", "value"}, 1, false, false, false, count_equal},
+      {"index_of", {"list", "value"}, 2, false, false, false, index_of},
+      {"first", {"list"}, 1, false, false, false, first_element},
+      {"last", {"list"}, 1, false, false, false, last_element},
       {"distinct", {"list"}, 1, false, false, false, distinct},
       {"pairs", {"list"}, 1, false, false, false, pairs},
       {"zip", {"a", "b"}, 2, false, false, false, zip},
       {"reverse", {"list"}, 1, false, false, false, reverse},
+      {"enumerate", {"list"}, 1, false, false, false, enumerate},
+      {"sort", {"list", "key"}, 1, false, false, false, sort},
+      {"map", {"f", "list"}, 2, false, false, false, map_function},
+      {"filter", {"f", "list"}, 2, false, false, false, filter_function},
       {"cons", {"first", "rest"}, 2, false, false, false, cons},
       {"car", {"list"}, 1, false, false, false, car},
       {"cdr", {"list"}, 1, false, false, false, cdr},
       {"null", {"list"}, 1, false, false, false, null},
-      {"str", {"value"}, 1, false, false, false, str},
+      {"str", {"value"}, 1, kVariadic, false, false, text_of_values},
+      {"format", {"text"}, 1, kVariadic, false, false, format_text},
       {"print", {}, 0, kVariadic, false, false, print},
       {"place", {"asset", "at", "size", "turn", "angle", "color", "name"}, 0, false, kExtras, false, place},
       {"unit", {"metres"}, 1, false, false, false, unit},

@@ -19,7 +19,6 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 std::string help_for_foreign_name(std::string_view name) {
   if (is_one_of(name, {"None", "null", "undefined"})) return "the value for nothing is nil";
   if (is_one_of(name, {"True", "False"})) return "the bools are true and false";
-  if (is_one_of(name, {"map", "filter"})) return "write [f(x) for x in list if condition]";
   if (is_one_of(name, {"len", "size"})) return "write length(list)";
   if (is_one_of(name, {"int", "float"}))
     return "floor(x) makes an int of a float, and 1.0 * x a float of an int";

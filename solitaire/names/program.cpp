@@ -24,6 +24,12 @@ bool Program::is_library(const Function& function) const {
   });
 }
 
+const OutputStmt* Program::output() const {
+  const auto& statements = top(0).body->statements;
+  const bool has_one = !statements.empty() && statements.back()->kind == StmtKind::kOutput;
+  return has_one ? static_cast<const OutputStmt*>(statements.back().get()) : nullptr;
+}
+
 std::vector<const ParamStmt*> Program::params() const {
   std::vector<const ParamStmt*> params;
   std::vector<bool> seen(modules.size());

@@ -45,6 +45,8 @@ struct Program {
   const Function& top(std::uint32_t module) const { return *modules[module].tree.top; }
   /// Returns the folder that asset paths of the program are relative to.
   std::filesystem::path folder() const { return modules.front().path.parent_path(); }
+  /// The output of the script, or null.
+  const OutputStmt* output() const;
   /// Returns all params, in the order in which they are met.
   std::vector<const ParamStmt*> params() const;
 };

@@ -12,13 +12,14 @@
 namespace solitaire {
 namespace {
 
-/// Returns the name of the variable or field that an assignment's target changes.
+/// Returns the name of the variable, or of its field, that an assignment's target changes.
 std::string target_name(const Expr& target) {
   switch (target.kind) {
     case ExprKind::kName:
       return static_cast<const NameExpr&>(target).name;
     case ExprKind::kField:
-      return static_cast<const FieldExpr&>(target).field;
+      return target_name(*static_cast<const FieldExpr&>(target).object) + '.' +
+             static_cast<const FieldExpr&>(target).field;
     case ExprKind::kIndex:
       return target_name(*static_cast<const IndexExpr&>(target).object);
     default:
@@ -26,14 +27,9 @@ std::string target_name(const Expr& target) {
   }
 }
 
-/// Returns what a call adds to addresses: the name of a choice is that of what it decides.
-std::string call_label(const Expr& callee, const std::string& purpose) {
-  if (callee.kind == ExprKind::kField) return static_cast<const FieldExpr&>(callee).field;
-  if (callee.kind != ExprKind::kName) return "call";
-  const auto& name = static_cast<const NameExpr&>(callee);
-  const bool is_choice =
-      name.binding.kind == Binding::Kind::kBuiltin && builtins()[name.binding.level].is_choice;
-  return is_choice && !purpose.empty() ? purpose : name.name;
+/// Returns true for calls of the language that are named after what they are for, as choices are.
+bool is_named_after_purpose(const Builtin& builtin) {
+  return builtin.is_choice || builtin.name == "map" || builtin.name == "filter";
 }
 
 class Resolver {
@@ -54,6 +50,7 @@ class Resolver {
       if (parameter.default_value) expression_for(parameter.name, *parameter.default_value);
     }
     statement(*made.body);
+    label_parameter_calls();
     scope.sites.mark_shared();
     scope_ = scope.outer;
   }
@@ -99,6 +96,11 @@ class Resolver {
       case StmtKind::kImport:
         top_level_only(node.span, "an import");
         return false;
+      case StmtKind::kOutput:
+        output(static_cast<OutputStmt&>(node));
+        return false;
+      case StmtKind::kAuxiliary:
+        return statement(*static_cast<AuxiliaryStmt&>(node).body);
       case StmtKind::kError:
         return false;
     }
@@ -170,6 +172,19 @@ class Resolver {
   void top_level_only(Span span, const std::string& what) {
     if (scope_->outer != nullptr || scope_->blocks != 1)
       diagnostics_.add("not-at-top-level", span, what + " stands at the top level of a file");
+  }
+
+  void output(OutputStmt& node) {
+    top_level_only(node.span, "an output");
+    if (number_ != 0) {
+      diagnostics_.add("output-in-import", node.span, "an imported file has no output",
+                       "the output stands at the end of the script itself");
+    } else if (scope_->outer == nullptr && scope_->blocks == 1 &&
+               scope_->function.body->statements.back().get() != &node) {
+      diagnostics_.add("output-not-last", node.span, "the output stands at the end of the script",
+                       "move what follows it before it, or into it");
+    }
+    statement(*node.body);
   }
 
   void record(RecordStmt& node) {
@@ -314,10 +329,46 @@ class Resolver {
     const std::vector<Parameter>* fields = record_fields(*node.callee);
     for (std::size_t i = 0; i < node.arguments.size(); ++i) {
       const Argument& argument = node.arguments[i];
-      const bool is_field = argument.name.empty() && fields != nullptr && i < fields->size();
-      expression_for(is_field ? (*fields)[i].name : argument.name, *argument.value);
+      std::string purpose = argument.name;
+      if (fields != nullptr && argument.name.empty() && i < fields->size()) purpose = (*fields)[i].name;
+      if (fields != nullptr && !purpose.empty() && !scope_->purpose.empty())
+        purpose = scope_->purpose + '.' + purpose;
+      expression_for(purpose, *argument.value);
     }
-    scope_->sites.count(node.site, call_label(*node.callee, scope_->purpose));
+    const std::string label = call_label(*node.callee, scope_->purpose);
+    if (calls_parameter(*node.callee)) {
+      scope_->parameter_calls.emplace_back(&node.site, label);
+    } else {
+      scope_->sites.count(node.site, label);
+    }
+  }
+
+  /// Returns what a call adds to addresses. Choices, and what the library makes, are named after what they
+  /// are for.
+  std::string call_label(const Expr& callee, const std::string& purpose) const {
+    if (callee.kind == ExprKind::kField) return static_cast<const FieldExpr&>(callee).field;
+    if (callee.kind != ExprKind::kName) return "call";
+    const auto& name = static_cast<const NameExpr&>(callee);
+    if (purpose.empty()) return name.name;
+    const bool builtin = name.binding.kind == Binding::Kind::kBuiltin &&
+                         is_named_after_purpose(builtins()[name.binding.level]);
+    const bool library =
+        name.binding.kind == Binding::Kind::kModule && program_.modules[name.binding.level].is_library;
+    return builtin || (library && record_fields(callee) == nullptr) ? purpose : name.name;
+  }
+
+  /// Returns true if a function of the library calls what it was given.
+  bool calls_parameter(const Expr& callee) const {
+    if (!program_.modules[number_].is_library || callee.kind != ExprKind::kName) return false;
+    const auto& name = static_cast<const NameExpr&>(callee);
+    return name.binding.kind == Binding::Kind::kLocal &&
+           name.binding.slot < scope_->function.parameters.size();
+  }
+
+  /// The only call of what a function of the library was given adds no step to addresses.
+  void label_parameter_calls() {
+    if (scope_->parameter_calls.size() == 1) return;
+    for (const auto& [site, label] : scope_->parameter_calls) scope_->sites.count(*site, label);
   }
 
   /// Returns the fields of the record that a call constructs; null if it constructs none.

@@ -76,6 +76,10 @@ void declare_assigned(const Stmt& body, Scope& scope) {
     }
     case StmtKind::kWhile:
       return declare_assigned(*static_cast<const WhileStmt&>(body).body, scope);
+    case StmtKind::kOutput:
+      return declare_assigned(*static_cast<const OutputStmt&>(body).body, scope);
+    case StmtKind::kAuxiliary:
+      return declare_assigned(*static_cast<const AuxiliaryStmt&>(body).body, scope);
     case StmtKind::kRecord:
       return declare_record(static_cast<const RecordStmt&>(body), scope);
     case StmtKind::kParam: {

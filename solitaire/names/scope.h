@@ -41,6 +41,7 @@ struct Scope {
   std::set<Slot> read_inside;                       // variables that inner functions read
   std::map<std::string, const RecordStmt*> records;
   SiteLabels sites;
+  std::vector<std::pair<Site*, std::string>> parameter_calls;  // of a library function: of what it was given
   AssignedSlots assigned;
   std::string purpose;  // what the expression at hand is assigned to or passed as
   int loops = 0;        // how many loops are around the statement at hand

@@ -55,7 +55,7 @@ class Warnings : public TreeWalker {
     for (std::size_t i = 1; i < block.statements.size(); ++i) {
       const Stmt& before = *block.statements[i - 1];
       const Stmt& node = *block.statements[i];
-      if (!leaves(before) || node.kind == StmtKind::kError) continue;
+      if (!leaves(before) || node.kind == StmtKind::kError || node.kind == StmtKind::kOutput) continue;
       return warn("unreachable", node.span, "this is never reached",
                   {before.span, "control does not come past this"});
     }

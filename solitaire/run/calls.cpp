@@ -34,12 +34,26 @@ bool is_assert(const Value& callee) {
 
 Value Calls::run_module(std::uint32_t module) {
   module_done_[module] = true;
+  Activation activation = top_level(module);
+  return run_body(activation);
+}
+
+Value Calls::run_at_end(const BlockStmt& body, Value at_end) {
+  Activation activation = top_level(0);
+  begin(activation);
+  const bool goes_on = block(body);
+  --depth_;
+  current_ = activation.caller;
+  return goes_on ? std::move(at_end) : std::move(activation.returns.value);
+}
+
+Activation Calls::top_level(std::uint32_t module) {
   const std::string& label = program_.modules[module].label;
   Activation activation = activation_of(module, nullptr);
   activation.address =
       label.empty() ? AddressTable::root() : addresses_.site(AddressTable::root(), addresses_.label(label));
   activation.has_address = true;
-  return run_body(activation);
+  return activation;
 }
 
 // ---- calls

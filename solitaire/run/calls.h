@@ -17,6 +17,13 @@ class Calls : public Operands {
   /// Runs the top level of a file.
   Value run_module(std::uint32_t module);
   Value call(const CallExpr& node);
+  /// A call with arguments that are evaluated already. `site` is where it stands.
+  Value call_function(const Value& callee, const CallExpr& site, std::vector<Value> arguments) {
+    return call_value(callee, site, std::move(arguments), {});
+  }
+  /// Runs statements at the end of the script, on the one path of an execution; `at_end` is the value where
+  /// they return none.
+  Value run_at_end(const BlockStmt& body, Value at_end);
   /// The variables that have to be kept where paths leave the function, for closures that refer to them. The
   /// list holds until the next call.
   std::span<const Slot> slots_kept(const Activation& activation);
@@ -34,6 +41,7 @@ class Calls : public Operands {
   Value call_closure(const Closure& closure, const CallExpr& site);
   Value call_closure(const Closure& closure, const CallExpr& site, std::vector<Value> arguments);
   void set_defaults(Activation& activation, std::size_t first, std::size_t end);
+  Activation top_level(std::uint32_t module);
   Value run_body(Activation& activation);
   void begin(Activation& activation);
   bool run_statements(const Activation& activation);

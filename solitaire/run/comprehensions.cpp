@@ -14,45 +14,53 @@ void Comprehensions::clause(const ComprehensionExpr& node, std::size_t number, V
     const Value element = expression(*node.element);
     return append(collected, element, node.span);
   }
-  Iteration items = iteration(*node.clauses[number].list);
+  const ComprehensionClause& loop = node.clauses[number];
+  collect({iteration(*loop.list), loop.site, loop.list->span, node.assigned}, collected,
+          [&](const Value& element) {
+            step(node.span);
+            set_variables(loop.variables, element, loop.list->span);
+            conditions(node, number, 0, collected);
+          });
+}
+
+/// Runs `turn` for each element, one after the other; it adds to what was collected before.
+template <class Turn>
+void Comprehensions::collect(Source source, Value& collected, Turn turn) {
   Exits ends;
   turns_.push_back(0);
   if (forks_) {
-    run_paths(node, number, items, ends, collected);
+    run_paths(source, ends, collected, turn);
   } else {
-    run_turns(node, number, items, ends, collected);
+    run_turns(source, ends, collected, turn);
   }
   turns_.pop_back();
   collected = std::move(ends.value);
 }
 
 /// Runs turns until no path goes on; `ends` is where they come to the end of the list.
-void Comprehensions::run_turns(const ComprehensionExpr& node, std::size_t number, Iteration& items,
-                               Exits& ends, Value& collected) {
-  const ComprehensionClause& loop = node.clauses[number];
+template <class Turn>
+void Comprehensions::run_turns(Source& source, Exits& ends, Value& collected, Turn turn) {
   const std::size_t region = path_.region();
-  while (enter_turn(items.has(turns_.back()), loop.site, loop.list->span, ends, node.assigned, collected,
-                    region)) {
-    step(node.span);
-    set_variables(loop.variables, items.element(turns_.back()), loop.list->span);
-    conditions(node, number, 0, collected);
+  while (enter_turn(source.items.has(turns_.back()), source.site, source.span, ends, source.assigned,
+                    collected, region)) {
+    turn(source.items.element(turns_.back()));
     ++turns_.back();
   }
 }
 
-void Comprehensions::run_paths(const ComprehensionExpr& node, std::size_t number, Iteration& items,
-                               Exits& ends, Value& collected) {
+template <class Turn>
+void Comprehensions::run_paths(Source& source, Exits& ends, Value& collected, Turn turn) {
   const Checkpoint outside = checkpoint();
   const std::uint32_t levels = path_.levels;
   const auto losses = path_.losses;
   path_.enter_region();
   const Checkpoint start = checkpoint();
   try {
-    run_turns(node, number, items, ends, collected);
+    run_turns(source, ends, collected, turn);
   } catch (const PathEnd&) {
   }
   unwind(start);
-  if (ends.any) resume(ends, node.assigned);
+  if (ends.any) resume(ends, source.assigned);
   unwind(outside);
   path_.levels = levels;
   path_.losses.breaks = losses.breaks;
@@ -80,6 +88,33 @@ void Comprehensions::conditions(const ComprehensionExpr& node, std::size_t claus
         return more;
       },
       [&] { return collected; });
+}
+
+// ---- the same with functions
+
+Value Comprehensions::map_list(const Value& function, const Value& list, const CallExpr& site) {
+  Value collected = make_list({}, site.span);
+  collect(
+      {Iteration(*this, list, site.span), site.site, site.span, {}}, collected,
+      [&](const Value& element) { append(collected, call_function(function, site, {element}), site.span); });
+  return collected;
+}
+
+Value Comprehensions::filter_list(const Value& function, const Value& list, const CallExpr& site) {
+  Value collected = make_list({}, site.span);
+  collect({Iteration(*this, list, site.span), site.site, site.span, {}}, collected,
+          [&](const Value& element) {
+            const Value holds = condition(call_function(function, site, {element}), site.span);
+            collected = choose_side(
+                holds, Site{}, site.span, {},
+                [&] {
+                  Value more = collected;
+                  append(more, element, site.span);
+                  return more;
+                },
+                [&] { return collected; });
+          });
+  return collected;
 }
 
 }  // namespace solitaire

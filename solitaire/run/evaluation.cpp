@@ -18,6 +18,7 @@ std::logic_error no_answer(const std::string& address) {
 
 Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, const Value& step,
                         const Prior& prior) {
+  check_may_choose(site);
   const AddressId address = address_of(site.site);
   const auto* first = lo.plain<std::int64_t>();
   const auto* last = hi.plain<std::int64_t>();
@@ -33,13 +34,20 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   const std::int64_t answer = answered(address, domain).as_int();
   Value variable = answer;
   if (graph_ != nullptr) variable = variable.with_node(*graph_, graph_->choice({address, domain}));
-  effects_->choice({kTrue, {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step})}, variable);
+  effects_->choice(
+      {kTrue, {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step}), auxiliary_}, variable);
   if (domain.contains(answer)) return variable;
   require_between(variable, lo, hi, site.span, address);
   const Value rest =
       int_operation(Op::kMod, int_operation(Op::kSub, variable, lo, site.span), step, site.span);
   require(equal(rest, std::int64_t{0}), ConstraintKind::kStep, site.span, nullptr, address);
   return variable;
+}
+
+void Evaluator::check_may_choose(const CallExpr& site) {
+  if (choices_ == nullptr)
+    program_error(site.span, "the output makes no choices",
+                  "make them before it, where solutions are looked for");
 }
 
 TypedScalar Evaluator::answered(AddressId address, const Distribution& domain) {
@@ -50,6 +58,7 @@ TypedScalar Evaluator::answered(AddressId address, const Distribution& domain) {
 
 Value Evaluator::draw(const CallExpr& site, const Prior& prior, const char* name,
                       std::optional<std::uint32_t> part) {
+  check_may_choose(site);
   AddressId address = address_of(site.site);
   if (part) address = addresses_.turn(address, *part);
   const Distribution& distribution = prior.distribution;
@@ -65,8 +74,9 @@ Value Evaluator::draw(const CallExpr& site, const Prior& prior, const char* name
                 fmt::format("'{}' chooses among infinitely many values, of which no solver finds one", name),
                 "'solitaire sample' draws them; for a solver, choose among ints: range(0, 100) / 100.0");
   }
-  effects_->choice({path_.guard(), {}, address, distribution, site.span, parameter_nodes(prior, {})},
-                   variable);
+  effects_->choice(
+      {path_.guard(), {}, address, distribution, site.span, parameter_nodes(prior, {}), auxiliary_},
+      variable);
   return variable;
 }
 
@@ -158,8 +168,9 @@ Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Valu
   const bool of_list =
       limits_.keep_going && domain.family == Distribution::Family::kIndex && !answer && !fixed;
   if (of_list) variable = int_operation(Op::kMin, variable, hi, site.span);
-  effects_->choice({path_.guard(), {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step})},
-                   variable);
+  effects_->choice(
+      {path_.guard(), {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step}), auxiliary_},
+      variable);
   const bool known = fixed && known_step != nullptr;
   if (!of_list && (!known || answer || possible != domain))
     require_between(variable, lo, hi, site.span, address);

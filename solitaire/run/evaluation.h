@@ -38,13 +38,19 @@ class Evaluator : public Structures {
   void place(Placement placement, const BuiltinCall& call);
   /// Reports what stands in the place of an assert's message and is no text.
   void check_message(const Value& message, Span span);
+  /// The list of what a function makes of each element, turn by turn; `site` is the call that asks for it.
+  virtual Value map_list(const Value& function, const Value& list, const CallExpr& site) = 0;
+  /// The list of the elements for which a function gives true.
+  virtual Value filter_list(const Value& function, const Value& list, const CallExpr& site) = 0;
 
  protected:
   using Structures::Structures;
+  ~Evaluator() = default;
 
-  Choices* choices_ = nullptr;
+  Choices* choices_ = nullptr;  // null in the output
 
  private:
+  void check_may_choose(const CallExpr& site);
   Value decide_open(const CallExpr& site, AddressId address, const Value& lo, const Value& hi,
                     const Value& step, const Prior& prior);
   std::vector<NodeId> parameter_nodes(const Prior& prior, std::initializer_list<Value> ends);

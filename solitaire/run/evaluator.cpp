@@ -9,11 +9,19 @@ class Executor::Run {
  public:
   Run(const Program& program, const ParamValues& params, AddressTable& addresses, const Limits& limits,
       Branches* observer)
-      : walk_(program, params, addresses, limits, nullptr, observer), effects_(execution_) {}
+      : output_(program.output()),
+        walk_(program, params, addresses, limits, nullptr, observer),
+        effects_(execution_),
+        output_effects_(execution_) {}
 
   Execution& run(Choices& choices) {
     clear();
     execution_.value = walk_.run(choices, effects_);
+    execution_.before_output = {};
+    if (output_ != nullptr && !execution_.value.is<Value::Unset>()) {
+      execution_.before_output = execution_.value;
+      execution_.value = walk_.run_output(*output_, output_effects_, std::move(execution_.value));
+    }
     execution_.calls = walk_.take_calls();
     return execution_;
   }
@@ -31,9 +39,11 @@ class Executor::Run {
     execution_.printed.clear();
   }
 
+  const OutputStmt* output_;  // null if the program has none
   Walk walk_;
   Execution execution_;
   ExecutionEffects effects_;
+  OutputEffects output_effects_;
 };
 
 Executor::Executor(const Program& program, const ParamValues& params, AddressTable& addresses,
@@ -73,6 +83,8 @@ SymbolicPass trace(const Program& program, const ParamValues& params, Choices& c
   pass.steps = walk.steps();
   pass.trace = effects.segments()->finish(graph);
   collect_nodes(pass.value, pass.trace.returned);
+  pass.has_output = program.output() != nullptr;
+  if (pass.has_output) pass.complete = false;
   return pass;
 }
 

@@ -51,6 +51,7 @@ struct MetChoice {
   Distribution domain;
   TypedScalar value;
   Value element;  // of choose(list): what it chose, else Unset
+  bool auxiliary = false;  // as of a TraceChoice
 };
 
 /// The result of one run with answered choices.
@@ -61,6 +62,7 @@ struct Execution {
   std::int64_t cost = 0;               // the sum of theirs
   double log_weight = 0;               // the sum of all factors, natural logarithms
   Value value;                         // what the program returned
+  Value before_output;                 // what it had returned before its output; Unset if it has none
   std::vector<MetChoice> choices;      // in the order in which they were met
   std::vector<Placement> placements;
   std::vector<CallRecord> calls;     // on the way to placements

@@ -1,3 +1,5 @@
+#include <span>
+
 #include "solitaire/run/walk.h"
 
 namespace solitaire {
@@ -54,11 +56,31 @@ Value Walk::unary_expression(const UnaryExpr& node) {
 }
 
 Value Walk::binary_expression(const BinaryExpr& node) {
+  if (node.op == BinaryOp::kIn) return membership(node);
   Value lefts, rights;
   const Value& left = operand(*node.left, lefts);
   const Value& right = operand(*node.right, rights);
   if (node.op == BinaryOp::kUpTo) return up_to(left, right, node.span);
   return operate(node.op, left, right, node.span);
+}
+
+/// `x in list`. Of `x in a..b` no list is made where all are ints.
+Value Walk::membership(const BinaryExpr& node) {
+  const Value value = expression(*node.left);
+  const auto* ints =
+      node.right->kind == ExprKind::kBinary ? static_cast<const BinaryExpr*>(node.right.get()) : nullptr;
+  if (ints == nullptr || ints->op != BinaryOp::kUpTo) {
+    return with_items(expression(*node.right), "in", node.right->span,
+                      [&](std::span<const Value> items) { return is_among(items, value, node.span); });
+  }
+  const Value first = expression(*ints->left);
+  const Value last = expression(*ints->right);
+  if (value.has_type(Type::kInt) && first.has_type(Type::kInt) && last.has_type(Type::kInt)) {
+    return both(compare(BinaryOp::kLessEqual, first, value, node.span),
+                compare(BinaryOp::kLessEqual, value, last, node.span));
+  }
+  return with_items(up_to(first, last, node.right->span), "in", node.right->span,
+                    [&](std::span<const Value> items) { return is_among(items, value, node.span); });
 }
 
 Value Walk::logical(const LogicalExpr& node) {

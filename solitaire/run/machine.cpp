@@ -35,6 +35,7 @@ void Machine::reset() {
   turns_.clear();
   calls_.clear();
   depth_ = 0;
+  auxiliary_ = false;
   frames_made_ = 0;
   for (std::uint32_t module = 0; module < module_frames_.size(); ++module) {
     module_frames_[module] = new_frame(program_.top(module), {});
@@ -73,6 +74,7 @@ AddressTable::LabelId Machine::label(const Site& site) {
 /// The address of a site of the running function, without the turns of loops around it.
 AddressId Machine::site_address(const Site& site) {
   const AddressId parent = activation_address(*current_);
+  if (site.label == kNoLabel) return parent;
   KnownSite& known = sites_[site.label];
   if (!known.has_address || known.parent != parent) {
     known.address = addresses_.site(parent, label(site));
@@ -87,7 +89,7 @@ AddressId Machine::activation_address(Activation& activation) {
     const Activation& caller = *activation.caller;
     const std::span<const std::uint32_t> all_turns = turns_;
     activation.address =
-        with_turns(addresses_.site(activation_address(*activation.caller), label(activation.call->site)),
+        with_turns(step_of(activation_address(*activation.caller), activation.call->site),
                    all_turns.subspan(caller.first_turn, activation.first_turn - caller.first_turn));
     activation.has_address = true;
   }

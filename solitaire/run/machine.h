@@ -83,6 +83,10 @@ class Machine {
   std::span<const std::uint32_t> turns() const { return std::span(turns_).subspan(current_->first_turn); }
   AddressId activation_address(Activation& activation);
   AddressTable::LabelId label(const Site& site);
+  /// The address with the step of a site, of which some have none.
+  AddressId step_of(AddressId address, const Site& site) {
+    return site.label == kNoLabel ? address : addresses_.site(address, label(site));
+  }
   AddressId with_turns(AddressId address, std::span<const std::uint32_t> turns) {
     for (const std::uint32_t number : turns) address = addresses_.turn(address, number);
     return address;
@@ -96,6 +100,7 @@ class Machine {
   Activation root_;  // stands for whoever runs the program, so that there is always a current activation
   Activation* current_ = &root_;
   std::uint32_t depth_ = 0;
+  bool auxiliary_ = false;            // whether choices are auxiliary here
   std::vector<std::uint32_t> turns_;  // of all loops that run
   std::uint32_t frames_made_ = 0;
   std::vector<Ref<Frame>> module_frames_;

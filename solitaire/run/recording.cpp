@@ -24,7 +24,7 @@ void ExecutionEffects::choice(const TraceChoice& choice, const Value& value) {
   const TypedScalar answer = choice.domain.type() == Type::kFloat
                                  ? TypedScalar::of(*value.get<double>())
                                  : choice.domain.typed(*value.get<std::int64_t>());
-  execution_.choices.push_back({choice.address, choice.domain, answer, {}});
+  execution_.choices.push_back({choice.address, choice.domain, answer, {}, choice.auxiliary});
   if (choice.domain.family != Distribution::Family::kIndex) return;
   const List* list = list_.as_list();
   const auto position = static_cast<std::size_t>(answer.as_int());
@@ -64,6 +64,41 @@ void ExecutionEffects::print(std::span<const Value> arguments) {
     line += (i == 0 ? "" : " ") + (text != nullptr ? text->text : to_text(arguments[i]));
   }
   execution_.printed.push_back(std::move(line));
+}
+
+// ---- the output of an execution
+
+namespace {
+
+/// What is wrong where such a constraint fails in the output.
+const char* failure_of(ConstraintKind kind) {
+  switch (kind) {
+    case ConstraintKind::kAssert:
+      return "an assert fails in the output, where solutions are ruled out no more";
+    case ConstraintKind::kIndex:
+      return "there is no such element";
+    case ConstraintKind::kDivisor:
+      return "this divides by zero";
+    default:
+      return "there is nothing to take one from";
+  }
+}
+
+}  // namespace
+
+void OutputEffects::constraint(const Constraint& constraint, const Value& condition) {
+  if (*condition.get<bool>()) return;
+  throw ProgramError(
+      {constraint.span, failure_of(constraint.kind), "the output only shows what was found", {}});
+}
+
+void OutputEffects::factor(Span span, const Value&) {
+  throw ProgramError({span, "the output weighs nothing any more", "do so before it", {}});
+}
+
+bool OutputEffects::wish(AddressId, Span span, const Value&) {
+  throw ProgramError(
+      {span, "the output has no wishes", "put them before it, where solutions are looked for", {}});
 }
 
 // ---- a traced execution

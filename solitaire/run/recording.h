@@ -30,6 +30,16 @@ class ExecutionEffects : public Effects {
   Value list_;  // of the next choice, if it is one among positions
 };
 
+/// Writes down what the output of an execution does, in which nothing is decided any more.
+class OutputEffects : public ExecutionEffects {
+ public:
+  using ExecutionEffects::ExecutionEffects;
+
+  void constraint(const Constraint& constraint, const Value& condition) override;
+  bool wish(AddressId address, Span span, const Value& cost) override;
+  void factor(Span span, const Value& log_weight) override;
+};
+
 /// Writes down what one execution does, and beside it how that comes from its choices.
 class TracedEffects : public ExecutionEffects {
  public:

@@ -1,3 +1,6 @@
+#include <utility>
+
+#include "solitaire/run/restored.h"
 #include "solitaire/run/walk.h"
 
 namespace solitaire {
@@ -10,6 +13,13 @@ Value Walk::run(Choices& choices, Effects& effects, std::uint32_t levels) {
   } catch (const PathEnd&) {
     return {};
   }
+}
+
+Value Walk::run_output(const OutputStmt& output, Effects& effects, Value value) {
+  effects_ = &effects;
+  choices_ = nullptr;
+  const Restored<Branches*> restored(branches_, nullptr);  // whoever looks for paths is told of none here
+  return run_at_end(*output.body, std::move(value));
 }
 
 bool Walk::statement(const Stmt& node) {
@@ -46,6 +56,12 @@ bool Walk::statement(const Stmt& node) {
       const std::uint32_t module = static_cast<const ImportStmt&>(node).module;
       if (!module_done_[module]) run_module(module);
       return true;
+    }
+    case StmtKind::kOutput:
+      return true;  // run_output() runs it
+    case StmtKind::kAuxiliary: {
+      const Restored<bool> restored(auxiliary_, true);
+      return statement(*static_cast<const AuxiliaryStmt&>(node).body);
     }
     case StmtKind::kError:
       return true;  // a program with errors is never run

@@ -31,8 +31,18 @@ std::string method_help(const Value& object, const std::string& name) {
   if (is_one_of({"append", "push", "push_back", "add"})) return "to add an element, write xs = xs + [x]";
   if (is_one_of({"extend", "concat"})) return "to join lists, write xs = xs + ys";
   if (is_one_of({"length", "len", "size"})) return "write length(xs)";
-  if (is_one_of({"contains", "includes", "has"})) return "write contains(xs, x)";
+  if (is_one_of({"contains", "includes", "has"})) return "write x in xs";
   return "lists have no methods: a function takes the list as an argument";
+}
+
+/// Returns true if these are two constant ints or more, each greater by 1 than the one before.
+bool are_consecutive(std::span<const Value> items) {
+  if (items.size() < 2) return false;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::int64_t* at = items[i].plain<std::int64_t>();
+    if (at == nullptr || *at != *items[0].plain<std::int64_t>() + static_cast<std::int64_t>(i)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -130,8 +140,24 @@ Value Structures::element(const Value& object, const Value& index, Span span) {
       return each_shape(index, [&](const Value& i) { return element(o, i, span); });
     });
   }
+  if (const List* several = index.as_list()) {
+    std::vector<Value> items;
+    for (const Value& one : several->items) items.push_back(element(object, one, span));
+    step(span, items.size());
+    return make_list(std::move(items), span);
+  }
   check_indexed(object, index, span);
   return element_of(object.as_list()->items, index, span);
+}
+
+Value Structures::is_among(std::span<const Value> items, const Value& value, Span span) {
+  if (value.has_type(Type::kInt) && are_consecutive(items)) {
+    return both(compare(BinaryOp::kLessEqual, items.front(), value, span),
+                compare(BinaryOp::kLessEqual, value, items.back(), span));
+  }
+  Value found = false;
+  for (const Value& item : items) found = either(found, equal(item, value, span));
+  return found;
 }
 
 void Structures::check_indexed(const Value& object, const Value& index, Span span) {

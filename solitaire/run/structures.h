@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,11 @@ class Structures : public Operators {
  public:
   /// a..b as a list.
   Value up_to(const Value& first, const Value& last, Span span);
+  /// The element at an index, or the list of the elements at a list of indices.
   Value element(const Value& object, const Value& index, Span span);
+  /// Whether one of the items equals the value, as a bool. Of ints that follow each other this is a
+  /// comparison with the first and the last one.
+  Value is_among(std::span<const Value> items, const Value& value, Span span);
   Value field(const Value& object, const FieldExpr& access);
   /// Gives the items of a list of that length to `give`, in order; an error of the program if it is none.
   template <class Give>

@@ -22,6 +22,7 @@ Summaries::Summary Summaries::summarize(const Ref<Closure>& closure, std::vector
   summary.closure = closure;
   summary.arguments = arguments;
   summary.apart = effects_->is_apart();
+  summary.auxiliary = auxiliary_;
   summary.segment = recorder.begin_segment();
   effects_->needs_execution();  // it shows in which order the choices of segments are met
   Segment segment{frames_made_, {}, {}};
@@ -50,7 +51,7 @@ const Summaries::Summary* Summaries::find_summary(AddressId address, const Closu
   for (const auto& summary : it->second) {
     const bool same_callee =
         summary->closure->function == closure.function && summary->closure->outer == closure.outer;
-    if (same_callee && summary->apart == effects_->is_apart() &&
+    if (same_callee && summary->apart == effects_->is_apart() && summary->auxiliary == auxiliary_ &&
         std::equal(arguments.begin(), arguments.end(), summary->arguments.begin(), same) &&
         std::all_of(summary->reads.begin(), summary->reads.end(),
                     [](const Read& read) { return same(read.frame->slots[read.slot], read.value); })) {

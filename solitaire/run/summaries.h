@@ -37,7 +37,8 @@ class Summaries : public Evaluator {
   struct Summary {
     Ref<Closure> closure;
     std::vector<Value> arguments;
-    bool apart = false;  // in a conjunct that is looked at by itself
+    bool apart = false;      // in a conjunct that is looked at by itself
+    bool auxiliary = false;  // in an auxiliary statement
     std::vector<Read> reads;
     TraceRecorder::SegmentId segment = 0;
     NodeId out = kTrue;  // under which it comes to its end, given that it was called

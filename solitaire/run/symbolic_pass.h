@@ -29,6 +29,7 @@ struct SymbolicPass {
   double unit = 1;                            // metres in one unit of the program
   /// False if some of what an execution does shows only when it is run.
   bool complete = true;
+  bool has_output = false;  // the program has an output, of which the pass says nothing
   std::uint64_t steps = 0;  // evaluated in all
 };
 

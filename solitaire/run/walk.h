@@ -17,6 +17,9 @@ class Walk final : public Assignments {
 
   /// Runs the script from its start; the value is Unset if no path comes to its end.
   Value run(Choices& choices, Effects& effects, std::uint32_t levels = 0);
+  /// Runs the output of the script, right after run() came to its end: returns what it returns, or else the
+  /// value.
+  Value run_output(const OutputStmt& output, Effects& effects, Value value);
   std::uint64_t steps() const { return total_steps_; }
   const Path& path() const { return path_; }
 
@@ -33,6 +36,7 @@ class Walk final : public Assignments {
   Value list(const ListExpr& node);
   Value unary_expression(const UnaryExpr& node);
   Value binary_expression(const BinaryExpr& node);
+  Value membership(const BinaryExpr& node);
   Value element_of(const IndexExpr& node);
   Value logical(const LogicalExpr& node);
   Value if_expression(const IfExpr& node);

@@ -29,6 +29,7 @@ constexpr BinaryLevel kBinary[] = {
     {TokenKind::kLessEqual, kComparisonBinding, BinaryOp::kLessEqual},
     {TokenKind::kGreater, kComparisonBinding, BinaryOp::kGreater},
     {TokenKind::kGreaterEqual, kComparisonBinding, BinaryOp::kGreaterEqual},
+    {TokenKind::kIn, kComparisonBinding, BinaryOp::kIn},
     {TokenKind::kDotDot, 5, BinaryOp::kUpTo},
     {TokenKind::kPlus, 6, BinaryOp::kAdd},
     {TokenKind::kMinus, 6, BinaryOp::kSubtract},
@@ -83,6 +84,10 @@ ExprPtr ExpressionParser::binary(int least_binding) {
       left = logical(start, std::move(left), is_and, binding);
       continue;
     }
+    if (kind == TokenKind::kNot && peek(1).kind == TokenKind::kIn && least_binding <= kComparisonBinding) {
+      left = not_in(start, std::move(left));
+      continue;
+    }
     const BinaryLevel* level = binary_level(kind);
     if (level == nullptr || level->binding < least_binding) return left;
     left = comparison_or_arithmetic(start, std::move(left), level->op, level->binding);
@@ -93,6 +98,15 @@ ExprPtr ExpressionParser::not_expression() {
   const Nesting nesting(*this);
   auto node = std::make_unique<UnaryExpr>(take().span, UnaryOp::kNot);
   node->operand = binary(kComparisonBinding);
+  grow(*node, node->operand->height);
+  return finish(std::move(node));
+}
+
+/// `x not in list` is read as `not x in list`.
+ExprPtr ExpressionParser::not_in(Span start, ExprPtr left) {
+  auto node = std::make_unique<UnaryExpr>(start, UnaryOp::kNot);
+  take();
+  node->operand = comparison_or_arithmetic(start, std::move(left), BinaryOp::kIn, kComparisonBinding);
   grow(*node, node->operand->height);
   return finish(std::move(node));
 }
@@ -109,7 +123,7 @@ ExprPtr ExpressionParser::comparison_or_arithmetic(Span start, ExprPtr left, Bin
   auto node = std::make_unique<BinaryExpr>(start, op, take().span);
   node->left = std::move(left);
   node->right = binary(binding + 1);
-  const BinaryLevel* next = binary_level(peek().kind);
+  const BinaryLevel* next = binary_level(peek(at(TokenKind::kNot) ? 1 : 0).kind);
   if (binding == kComparisonBinding && next != nullptr && next->binding == kComparisonBinding)
     fail("comparisons do not chain", "write a < b and b < c");
   grow(*node, std::max(node->left->height, node->right->height));

@@ -30,6 +30,7 @@ class ExpressionParser : public TokenReader {
   ExprPtr if_expression();
   ExprPtr binary(int least_binding);
   ExprPtr not_expression();
+  ExprPtr not_in(Span start, ExprPtr left);
   ExprPtr logical(Span start, ExprPtr left, bool is_and, int binding);
   ExprPtr comparison_or_arithmetic(Span start, ExprPtr left, BinaryOp op, int binding);
   ExprPtr unary();

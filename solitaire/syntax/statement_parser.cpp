@@ -98,8 +98,15 @@ StmtPtr StatementParser::statement() {
       fail("this 'else' belongs to no 'if'");
       return std::make_unique<ErrorStmt>(peek().span);
     default:
+      if (at_word("output", TokenKind::kLeftBrace)) return output_statement();
+      if (at_word("aux", TokenKind::kName)) return auxiliary_statement();
       return assignment_or_expression();
   }
+}
+
+/// Returns true at a word that is a name elsewhere, and a keyword before such a token.
+bool StatementParser::at_word(std::string_view word, TokenKind next) const {
+  return at(TokenKind::kName) && peek().text == word && peek(1).kind == next;
 }
 
 std::unique_ptr<BlockStmt> StatementParser::block() {
@@ -212,6 +219,18 @@ StmtPtr StatementParser::import_statement() {
   node->path = path.text;
   node->path_span = path.span;
   semicolon();
+  return finish(std::move(node));
+}
+
+StmtPtr StatementParser::output_statement() {
+  auto node = std::make_unique<OutputStmt>(take().span);
+  node->body = block();
+  return finish(std::move(node));
+}
+
+StmtPtr StatementParser::auxiliary_statement() {
+  auto node = std::make_unique<AuxiliaryStmt>(take().span);
+  node->body = assignment_or_expression();
   return finish(std::move(node));
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solitaire/syntax/expression_parser.h"
@@ -27,6 +28,9 @@ class StatementParser final : public ExpressionParser {
   StmtPtr loop_body();
   StmtPtr body();
   StmtPtr jump_statement();
+  StmtPtr output_statement();
+  StmtPtr auxiliary_statement();
+  bool at_word(std::string_view word, TokenKind next) const;
   StmtPtr return_statement();
   StmtPtr record_statement();
   StmtPtr param_statement();

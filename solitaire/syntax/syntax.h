@@ -110,7 +110,8 @@ enum class BinaryOp : std::uint8_t {
   kLessEqual,
   kGreater,
   kGreaterEqual,
-  kUpTo
+  kUpTo,
+  kIn  // an element of a list; `not in` is the negation of it
 };
 
 struct BinaryExpr : Expr {
@@ -214,6 +215,8 @@ enum class StmtKind : std::uint8_t {
   kRecord,
   kParam,
   kImport,
+  kOutput,
+  kAuxiliary,
   kError
 };
 
@@ -332,6 +335,19 @@ struct ImportStmt : Stmt {
   bool is_complete = true;  // false if the file is not named
   static constexpr std::uint32_t kNoModule = UINT32_MAX;
   std::uint32_t module = kNoModule;  // kNoModule if it could not be imported
+};
+
+/// `output { ... }` at the end of a script: what is run for solutions only. The walk over the script's
+/// statements passes it over.
+struct OutputStmt : Stmt {
+  explicit OutputStmt(Span where) : Stmt(StmtKind::kOutput, where) {}
+  std::unique_ptr<BlockStmt> body;
+};
+
+/// `aux x = range(0, 9);`: a statement whose choices are auxiliary.
+struct AuxiliaryStmt : Stmt {
+  explicit AuxiliaryStmt(Span where) : Stmt(StmtKind::kAuxiliary, where) {}
+  StmtPtr body;
 };
 
 /// Stands where a statement could not be read; only in trees that come with errors.

@@ -77,7 +77,6 @@ void TokenReader::report(const std::string& code, Span span, std::string message
 }
 
 void TokenReader::fail(std::string message, std::string help) {
-  if (help.empty() && at(TokenKind::kIn)) help = "whether x is in a list is asked by contains(list, x)";
   report("syntax", peek().span, std::move(message), std::move(help));
   panic();
 }

@@ -89,6 +89,10 @@ void TreeWalker::statement(const Stmt& node) {
       return;
     case StmtKind::kParam:
       return expression(*static_cast<const ParamStmt&>(node).value);
+    case StmtKind::kOutput:
+      return statement(*static_cast<const OutputStmt&>(node).body);
+    case StmtKind::kAuxiliary:
+      return statement(*static_cast<const AuxiliaryStmt&>(node).body);
     case StmtKind::kBreak:
     case StmtKind::kContinue:
     case StmtKind::kImport:

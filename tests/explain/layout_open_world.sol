@@ -2,7 +2,7 @@
 import "std/layout.sol";
 
 fun make_chair() { return range(0, 5); }
-// conflict: repeat/make[0]/range is at least 0; repeat/make[2]/range is at most 5
+// conflict: chairs[0]/range is at least 0; chairs[2]/range is at most 5
 chairs = repeat(range(0, 4), make_chair);
 assert(length(chairs) > 2, "enough chairs");  // conflict: length(chairs) > 2
 for i in 0..length(chairs) - 2: assert(chairs[i] + 2 < chairs[i + 1], "elbow room");

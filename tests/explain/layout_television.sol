@@ -4,7 +4,7 @@ import "std/layout.sol";
 param distance = 5;
 room = Rect(0, 0, 5, 7);
 television = Thing("cabinet", 2, 1, 0, range(0, 5), range(0, 7));
-sofa = Thing("sofa", 2, 1, 2, range(0, 5), range(0, 7));  // conflict: y#2 is at least 0
+sofa = Thing("sofa", 2, 1, 2, range(0, 5), range(0, 7));  // conflict: sofa.y is at least 0
 
 assert(flush(television, room), "the television is at the wall");  // conflict: flush(television, room)
 assert(inside(sofa, room));

@@ -27,6 +27,12 @@ std::string Expressions::list(int depth) {
                          {2, [&] { return either(Kind::kList, depth); }},
                          {1, [&] { return format("{}({})", draft_.one_in(2) ? "reverse" : "cdr", list(d)); }},
                          {1, [&] { return format("cons({}, {})", integer(d), list(d)); }},
+                         {1, [&] { return format("({} + [0, 1])[[{} % 2, 0]]", list(d), integer(d)); }},
+                         {1, [&] { return format("({} + [1])[{}..0]", list(d), index(depth)); }},
+                         {1, [&] { return format("sort({})", list(d)); }},
+                         {1, [&] { return format("sort({}, key: {})", list(d), function(d)); }},
+                         {1, [&] { return format("map({}, {})", function(d), list(d)); }},
+                         {1, [&] { return format("filter({}, {})", predicate(depth), list(d)); }},
                          {1, [&] { return format("{}.b", record(d)); }},
                          {1, [&] { return format("{}[{}]", nested(d), index(depth)); }},
                          {1, [&] { return format("choose([{}, {}])", list(d), list(d)); }},
@@ -66,6 +72,7 @@ std::string Expressions::pairs(int depth) {
                           }},
                          {2, [&] { return format("zip({}, {})", list(d), list(d)); }},
                          {1, [&] { return format("pairs({})", list(d)); }},
+                         {1, [&] { return format("enumerate({})", list(d)); }},
                          {1, [&] { return either(Kind::kPairs, depth); }},
                      });
 }
@@ -112,6 +119,8 @@ std::string Expressions::text(int depth) {
                          {1, [&] { return format("str({})", integer(d)); }},
                          {1, [&] { return format("str({})", expression(draft_.any_kind(), d)); }},
                          {1, [&] { return format("({} + {})", text(d), text(d)); }},
+                         {1, [&] { return format("str({}, {})", integer(d), text(d)); }},
+                         {1, [&] { return format("format(\"{{}}/{{:3}}\", {}, {})", text(d), integer(d)); }},
                          {1, [&] { return either(Kind::kString, depth); }},
                      });
 }
@@ -156,11 +165,21 @@ std::string Expressions::function(int depth) {
 }
 
 std::string Expressions::lambda(int depth) {
+  return lambda([&] { return integer(depth + 1); });
+}
+
+/// A function of an int that gives a bool.
+std::string Expressions::predicate(int depth) {
+  return lambda([&] { return boolean(depth + 1); });
+}
+
+template <class Body>
+std::string Expressions::lambda(Body body) {
   const std::size_t before = draft_.variables.size();
   const std::string name = draft_.fresh("p");
   ++draft_.level;
   draft_.declare(name, Kind::kInt);
-  std::string made = format("fun({}) {{ return {}; }}", name, integer(depth + 1));
+  std::string made = format("fun({}) {{ return {}; }}", name, body());
   --draft_.level;
   draft_.variables.resize(before);
   return format("({})", made);

@@ -86,6 +86,18 @@ std::string Expressions::integer(int depth) {
                            list(d));
            }},
           {1, [&] { return format("abs({})", integer(d)); }},
+          {1, [&] { return format("count({}, {})", list(d), integer(d)); }},
+          {1,
+           [&] {  // most often of what is there
+             if (draft_.one_in(4)) return format("index_of({}, {})", list(d), integer(d));
+             const std::string there = literal();
+             return format("index_of(({} + [{}]), {})", list(d), there, there);
+           }},
+          {1, [&] { return format("{}({} + [1])", draft_.one_in(2) ? "first" : "last", list(d)); }},
+          {1,
+           [&] {
+             return format("{}({} + [2], key: {})", draft_.one_in(2) ? "max" : "min", list(d), function(d));
+           }},
           {1, [&] { return format("length({})", text(d)); }},
           {1, [&] { return format("cond({}, {}, {})", boolean(d), integer(d), integer(d)); }},
           {1, [&] { return format("sum([{} for {} in {}])", "1", draft_.fresh("u"), list(d)); }},
@@ -121,6 +133,7 @@ std::string Expressions::boolean(int depth) {
           {1, [&] { return format("(not {})", boolean(d)); }},
           {1, [&] { return either(Kind::kBool, depth); }},
           {1, [&] { return format("contains({}, {})", list(d), integer(d)); }},
+          {1, [&] { return format("({} {} {})", integer(d), draft_.one_in(3) ? "not in" : "in", list(d)); }},
           {1, [&] { return format("distinct({})", list(d)); }},
           {1, [&] { return format("null({})", list(d)); }},
           {1,

@@ -43,6 +43,9 @@ class Expressions {
   /// A function of one int.
   std::string function(int depth);
   std::string lambda(int depth);
+  template <class Body>
+  std::string lambda(Body body);
+  std::string predicate(int depth);
   std::string choice_of_int(int depth);
   std::string call(Kind result, int depth);
   std::string use_mixed(Kind kind, int depth);

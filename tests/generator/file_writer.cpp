@@ -56,7 +56,19 @@ void FileWriter::write_script(bool wishes) {
   const int count = 3 + static_cast<int>(draft_.below(9));
   for (int i = 0; i < count; ++i) draft_.one_in(5) ? statements_.declare_function() : statements_.statement();
   draft_.line(format("assert(({}) % 4 != 2);", draft_.digest()));
+  if (draft_.one_in(4)) return output();
   draft_.line(format("return {};", draft_.everything()));
+}
+
+/// Ends the script with an output, which looks at a float; a value may be returned before it.
+void FileWriter::output() {
+  const std::string everything = draft_.everything();
+  const std::string half = draft_.fresh("h");
+  if (draft_.one_in(2)) draft_.line(format("return {};", everything));
+  const std::string body =
+      format("{} = ({}) / 2.0; if {} > 1.5 {{ print({}); }} ", half, draft_.digest(), half, half);
+  const std::string result = draft_.one_in(3) ? "" : format("return {}, {};", everything, half);
+  draft_.line(format("output {{ {}{} }}", body, result));
 }
 
 void FileWriter::write_part() {

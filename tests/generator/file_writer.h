@@ -27,6 +27,7 @@ class FileWriter {
  private:
   /// Makes a choice, so that there is something that later statements can depend on.
   void first_choice();
+  void output();
   /// Makes a name that several files have: each file sees its own, or that of the last import.
   void shared_name();
   void param();

@@ -62,7 +62,7 @@ void Statements::statement() {
     case 19:
       return assign_new(Kind::kFunction);
     case 20:
-      return optional_append();
+      return draft_.one_in(2) ? optional_append() : auxiliary();
     case 21:
       return declare_function();
     default:
@@ -183,6 +183,15 @@ void Statements::swap() {
                      expressions_.either(Kind::kInt, 1).empty()
                          ? ""
                          : format("[{}, {}]", expressions_.integer(1), expressions_.integer(1))));
+}
+
+/// An auxiliary choice that nothing but an assert looks at, so that which value it has is not seen.
+void Statements::auxiliary() {
+  if (draft_.choices <= 0 || draft_.level > 0 || draft_.loops > 0) return optional_append();
+  const std::string name = draft_.fresh("w");
+  draft_.choices -= 1;
+  draft_.line(format("aux {} = {};", name, draft_.one_in(2) ? "range(0, 2)" : "choose([-1, 1, 1])"));
+  draft_.line(format("assert({} {} {});", name, draft_.one_in(2) ? "==" : "<=", expressions_.integer(1)));
 }
 
 void Statements::optional_append() {

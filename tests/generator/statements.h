@@ -33,6 +33,7 @@ class Statements {
   void place();
   void swap();
   void optional_append();
+  void auxiliary();
   void if_statement();
   /// Writes calls of one function at sites that exclude each other, with arguments and outer variables that
   /// are the same or not: calls share what was found out about one of them.

@@ -28,8 +28,8 @@ place("chair", at: [range(16, 16), 0], size: [1, 1]);
 // expect choice: room#2[1][0]/make_table[0]/rot = 4
 // expect choice: room[0][0]/make_table[1]/x = 0
 // expect choice: room[0][0]/make_table[1]/y = 3
-// expect choice: room[0][0]/make_table[1]/x#2 = 1
-// expect choice: room[0][0]/make_table[1]/x#3 = 2
+// expect choice: room[0][0]/make_table[1]/t.x = 1
+// expect choice: room[0][0]/make_table[1]/t.x#2 = 2
 // expect choice: room[0][0]/range = 5
 // expect choice: a = false
 // expect choice: a#2 = true

@@ -57,7 +57,7 @@ enum class Diversity : std::uint8_t { kLow, kNormal, kHigh };
 /// Says how solutions are chosen among all: as the search finds them, or each with the same probability.
 enum class Sampling : std::uint8_t { kSearch, kUniform };
 /// Says what makes two solutions different: their choices, or what they look like (value and placed things).
-enum class Distinct : std::uint8_t { kChoices, kResult };
+enum class Distinct : std::uint8_t { kChoices, kResult, kValue };
 /// Says what is to be known of the things that a solution places.
 enum class SceneDetail : std::uint8_t {
   kNone,        // nothing; then it is not known, either, how much results differ

@@ -31,6 +31,7 @@ struct Summary {
   std::uint64_t solutions = 0;  // with those of earlier runs
   std::uint64_t earlier = 0;    // of these, solutions of earlier runs
   std::uint64_t alike = 0;      // solutions that were left out because they look like others
+  bool names_differed = false;  // whether some of these differ in names or extras of placed things
   /// The mean distance of all pairs of solutions, 0..1; see docs/formats.md.
   double choice_distance = 0, result_distance = 0;
   Times times;  // as of the last solution

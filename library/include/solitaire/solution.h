@@ -100,6 +100,7 @@ struct Solution {
   Value value;               // what the program returned
   std::string text;          // the value as the language writes it
   std::vector<Choice> choices;
+  std::vector<Choice> auxiliary;  // those that make no solutions different; needed to run it again
   std::optional<Quality> quality;
   std::vector<BrokenAssert> broken;
   std::vector<UnmetWish> unmet;

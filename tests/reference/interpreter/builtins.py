@@ -105,6 +105,16 @@ def maximize(run, call):
 def extreme(best):
     def run_extreme(run, call):
         numbers = items(call, "list")
+        key = None
+        for name, value in call.extras:
+            if name != "key":
+                raise ProgramError(call.place, f"there is no parameter {name!r}")
+            key = value
+        if key is not None:
+            if not numbers:
+                raise Rejected
+            by = keys(run, call, key, numbers)
+            return numbers[best(range(len(by)), key=lambda i: by[i])]
         for number in numbers:
             if not is_number(number):
                 raise ProgramError(call.place, f"numbers are needed here, not {kind(number)}")
@@ -195,6 +205,57 @@ def first(run, call):
     return call.given["list"][0]
 
 
+def last(run, call):
+    if not a_list(call):
+        raise Rejected
+    return call.given["list"][-1]
+
+
+def count(run, call):
+    wanted = call.given.get("value", True)
+    return sum(same(each, wanted) for each in a_list(call))
+
+
+def index_of(run, call):
+    for position, each in enumerate(a_list(call)):
+        if same(each, call.given["value"]):
+            return position
+    raise Rejected
+
+
+def each_with(run, call, function, elements):
+    """What a function gives for each element, with the call's turns in the addresses of what it does."""
+    results = []
+    for turn, each in enumerate(elements):
+        call.activation.turns.append(turn)
+        results.append(run.call_function(function, call.node, [each], call.activation))
+        call.activation.turns.pop()
+    return results
+
+
+def map_list(run, call):
+    return tuple(each_with(run, call, call.given["f"], a_list(call)))
+
+
+def filter_list(run, call):
+    kept = each_with(run, call, call.given["f"], a_list(call))
+    return tuple(each for each, keep in zip(a_list(call), kept) if condition(keep, call.place))
+
+
+def keys(run, call, function, elements):
+    made = elements if function is None else each_with(run, call, function, elements)
+    for key in made:
+        if not is_number(key):
+            raise ProgramError(call.place, f"numbers are needed here, not {kind(key)}")
+    return made
+
+
+def sort(run, call):
+    elements = a_list(call)
+    by = keys(run, call, call.given.get("key"), elements)
+    return tuple(elements[i] for i in sorted(range(len(elements)), key=lambda i: by[i]))
+
+
 def others(run, call):
     if not a_list(call):
         raise Rejected
@@ -202,6 +263,38 @@ def others(run, call):
 
 
 # ---- text and scenes
+
+
+def join_texts(run, call):
+    return "".join(text(each) for each in (call.given["value"], *call.rest))
+
+
+FIELD = re.compile(r"\{\{|\}\}|\{(?::([<>]?)(\d{0,2})(?:\.(\d{1,2})f?)?)?\}|[{}]")
+
+
+def format_text(run, call):
+    pattern = need(call, "text", [str], "a format")
+    values = list(call.rest)
+
+    def replace(found):
+        if found[0] in ("{{", "}}"):
+            return found[0][0]
+        if found[0] in ("{", "}"):
+            raise ProgramError(call.place, "a single brace in a format")
+        if not values:
+            raise ProgramError(call.place, "a format with more fields than values")
+        value = values.pop(0)
+        side, width, decimals = found[1], found[2], found[3]
+        if decimals is not None and not is_number(value):
+            raise ProgramError(call.place, "decimals are for numbers")
+        shown = text(value) if decimals is None else f"{value:.{int(decimals)}f}"
+        width = int(width or 0)
+        return shown.ljust(width) if side == "<" else shown.rjust(width)
+
+    made = FIELD.sub(replace, pattern)
+    if values:
+        raise ProgramError(call.place, "a format with fewer fields than values")
+    return made
 
 
 def print_line(run, call):
@@ -293,8 +386,8 @@ BUILTINS = {
         builtin("prefer", "condition weight", prefer, required=1),
         builtin("minimize", "x", minimize),
         builtin("maximize", "x", maximize),
-        builtin("min", "list", extreme(min), variadic=True),
-        builtin("max", "list", extreme(max), variadic=True),
+        builtin("min", "list", extreme(min), variadic=True, extras=True),
+        builtin("max", "list", extreme(max), variadic=True, extras=True),
         builtin("abs", "x", lambda run, call: abs(a_number(call))),
         builtin("mod", "a b", lambda run, call: BINARY["%"](call.given["a"], call.given["b"], call.place)),
         builtin("floor", "x", floor),
@@ -311,6 +404,14 @@ BUILTINS = {
         builtin("length", "list", length),
         builtin("sum", "list", total),
         builtin("contains", "list value", contains),
+        builtin("count", "list value", count, required=1),
+        builtin("index_of", "list value", index_of),
+        builtin("first", "list", first),
+        builtin("last", "list", last),
+        builtin("enumerate", "list", lambda run, call: tuple(enumerate(a_list(call)))),
+        builtin("sort", "list key", sort, required=1),
+        builtin("map", "f list", map_list),
+        builtin("filter", "f list", filter_list),
         builtin("distinct", "list", distinct),
         builtin("pairs", "list", lambda run, call: tuple(pairs_of(a_list(call)))),
         builtin("zip", "a b", zip_lists),
@@ -319,7 +420,8 @@ BUILTINS = {
         builtin("car", "list", first),
         builtin("cdr", "list", others),
         builtin("null", "list", lambda run, call: not a_list(call)),
-        builtin("str", "value", lambda run, call: text(call.given["value"])),
+        builtin("str", "value", join_texts, variadic=True),
+        builtin("format", "text", format_text, variadic=True),
         builtin("print", "", print_line, variadic=True),
         builtin("unit", "metres", unit),
         builtin("size_of", "asset unit", size_of, required=1),

@@ -4,7 +4,7 @@ from .builtins import BUILTINS
 from .operators import (
     BINARY, Rejected, condition, element, field_value, ints_from_to, negative, with_element, with_field,
 )  # fmt: skip
-from .syntax import FieldOf, Index, Name, ProgramError
+from .syntax import Argument, FieldOf, Index, Name, Output, ProgramError
 from .values import Builtin, BuiltinCall, Closure, Constructor, Record, kind
 
 
@@ -17,7 +17,10 @@ class Activation:
         self.turns = []
 
     def step(self, label):
-        return "/".join(self.path + [label + "".join(f"[{turn}]" for turn in self.turns)])
+        turns = "".join(f"[{turn}]" for turn in self.turns)
+        if label == "":
+            return "/".join(self.path) + turns
+        return "/".join(self.path + [label + turns])
 
     def inner(self, label):
         return Activation([self.step(label)], self.depth + 1)
@@ -72,11 +75,26 @@ class Execution:
         self.printed = []
         self.placed = []
         self.cost = None
+        self.output_place = None  # of the output, once it runs
+        self.in_auxiliary = 0
+        self.auxiliary = set()  # the addresses of auxiliary choices
         self.floats = set()  # the places where an operator met a float after a choice
 
     def run(self):
         """Raises ProgramError or Rejected."""
-        self.value = self.run_module(self.program.main, [])
+        main = self.program.main
+        self.value = self.run_module(main, [])
+        if main.body and isinstance(main.body[-1], Output):
+            self.run_output(main.body[-1], self.frames[main.file])
+
+    def run_output(self, output, frame):
+        self.output_place = output.place
+        try:
+            result = self.statements(output.body, frame)
+        except Rejected as rejected:
+            raise ProgramError(output.place, "a solution is not ruled out by its output") from rejected
+        if isinstance(result, Returned):
+            self.value = result.value
 
     def run_module(self, module, path):
         frame = FileFrame(module, Activation(path, 0))
@@ -86,16 +104,24 @@ class Execution:
 
     # ---- effects
 
+    def not_in_output(self):
+        if self.output_place is not None:
+            raise ProgramError(self.output_place, "an output makes no choices and has no wishes")
+
     def choose(self, address, domain):
+        self.not_in_output()
         if len(domain) == 0:
             raise Rejected
         if address in self.choices:
             raise AssertionError(f"two choices of one execution share the address {address}")
         value = self.chooser(domain)
         self.choices[address] = value
+        if self.in_auxiliary:
+            self.auxiliary.add(address)
         return value
 
     def add_cost(self, cost):
+        self.not_in_output()
         self.cost = (self.cost or 0) + cost
 
     def step(self, place, count=1):
@@ -121,6 +147,14 @@ class Execution:
 
     def run_Block(self, statement, frame):
         return self.statements(statement.body, frame)
+
+    def run_Output(self, statement, frame):
+        pass  # until the program has come to its end
+
+    def run_Auxiliary(self, statement, frame):
+        self.in_auxiliary += 1
+        self.statements(statement.body, frame)
+        self.in_auxiliary -= 1
 
     def run_If(self, statement, frame):
         if self.condition(statement.condition, frame):
@@ -346,8 +380,16 @@ class Execution:
         self.step(node.place)
         callee = self.expression(node.callee, frame)
         arguments = [(each, self.expression(each.value, frame)) for each in node.arguments]
+        return self.call(callee, node, arguments, frame.activation)
+
+    def call_function(self, callee, node, values, activation):
+        """A call that a builtin makes, with arguments by position."""
+        self.step(node.place)
+        return self.call(callee, node, [(Argument(None, node), value) for value in values], activation)
+
+    def call(self, callee, node, arguments, activation):
         if type(callee) is Builtin:
-            return self.call_builtin(callee, node, arguments, frame.activation)
+            return self.call_builtin(callee, node, arguments, activation)
         if type(callee) is Closure:
             parameters, name = callee.function.parameters, callee.function.name
         elif type(callee) is Constructor:
@@ -355,7 +397,7 @@ class Execution:
         else:
             raise ProgramError(node.place, f"{kind(callee)} cannot be called")
         given = bind(node, name, [parameter.name for parameter in parameters], arguments)
-        return self.enter(callee, node, parameters, given, frame.activation)
+        return self.enter(callee, node, parameters, given, activation)
 
     def enter(self, callee, node, parameters, given, caller):
         if caller.depth >= self.max_depth:
@@ -376,7 +418,7 @@ class Execution:
         return result.value if isinstance(result, Returned) else None
 
     def call_builtin(self, callee, node, arguments, activation):
-        call = BuiltinCall(node, lambda: activation.step(node.label or callee.name), {}, [], [])
+        call = BuiltinCall(node, lambda: activation.step(node.label or callee.name), {}, [], [], activation)
         fixed = [argument for argument in arguments if argument[0].name in (None, *callee.parameters)]
         by_position = [argument for argument in fixed if argument[0].name is None]
         if callee.variadic:
@@ -384,7 +426,7 @@ class Execution:
             call.rest = [value for _, value in beyond]
             fixed = [argument for argument in fixed if argument not in beyond]
         if callee.extras:
-            call.extras = [(each.name, value) for each, value in arguments if (each, value) not in fixed]
+            call.extras = [(each.name, value) for each, value in arguments if each.name and (each, value) not in fixed]
         else:
             fixed += [argument for argument in arguments if argument[0].name not in (None, *callee.parameters)]
         call.given = bind(node, callee.name, callee.parameters, fixed)

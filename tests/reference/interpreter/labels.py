@@ -13,6 +13,8 @@ from .syntax import (
 )  # fmt: skip
 
 CHOICES = ("range", "flip", "choose", "categorical")
+NAMED_AFTER_PURPOSE = (*CHOICES, "map", "filter")
+CALLING = ("sort", "min", "max")  # builtins that call functions, which may choose
 
 
 class Labeller:
@@ -23,6 +25,8 @@ class Labeller:
         self.builtins = builtins
         self.hidden = hidden  # names of the functions around, which hide the file's records and the builtins
         self.uses = Counter()
+        self.parameters = set()  # of the function
+        self.parameter_calls = []
 
     # ---- what a name stands for
 
@@ -65,18 +69,42 @@ class Labeller:
             name = argument.name
             if name is None and record is not None and position < len(record.parameters):
                 name = record.parameters[position].name
+            if name is not None and record is not None and purpose is not None:
+                name = f"{purpose}.{name}"
             self.expression(argument.value, name)
         if isinstance(callee, Name) and self.is_builtin(callee.name):
-            if callee.name in CHOICES:
+            if callee.name in NAMED_AFTER_PURPOSE:
                 node.label = self.use(purpose or callee.name)
+            elif callee.name in CALLING:
+                node.label = self.use(callee.name)
+        elif self.module.library and isinstance(callee, Name) and callee.name in self.parameters:
+            self.parameter_calls.append(node)
+        elif isinstance(callee, Name) and purpose and record is None and self.is_of_library(callee.name):
+            node.label = self.use(purpose)
         else:
             node.label = self.use(callee.name if isinstance(callee, (Name, FieldOf)) else "call")
+
+    def is_of_library(self, name):
+        """Whether a name means a function at the top level of a file of the library."""
+        if name in self.hidden:
+            return False
+        for module in [self.module] + self.module.imports[::-1]:
+            if name in module.assigned:
+                return module.library
+        return False
+
+    def finish(self):
+        """The only call of what a function of the library was given makes no step: its label stays empty."""
+        for node in self.parameter_calls:
+            node.label = "" if len(self.parameter_calls) == 1 else self.use(node.callee.name)
 
     def function(self, parameters, body, assigned):
         inner = Labeller(self.module, self.builtins, self.hidden | assigned)
         for parameter in parameters:
             inner.expression(parameter.default, parameter.name)
+        inner.parameters = {parameter.name for parameter in parameters}
         inner.statements(body)
+        inner.finish()
 
     # ---- walking; `purpose` is what a choice at this place would be for, or None
 
@@ -172,10 +200,10 @@ def always_returns(statement):
 
 
 def purpose_of(target):
-    """What an assigned choice is for: the last field of the target, or its variable."""
-    while isinstance(target, Index):
-        target = target.base
-    return target.name
+    """What an assigned choice is for: the variable, or its field."""
+    if isinstance(target, Index):
+        return purpose_of(target.base)
+    return f"{purpose_of(target.base)}.{target.name}" if isinstance(target, FieldOf) else target.name
 
 
 def label(module, builtins):

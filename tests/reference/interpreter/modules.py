@@ -42,7 +42,8 @@ class Loader:
         if path in self.modules:
             return self.modules[path]
         self.loading.append(path)
-        module = Module(str(path), self.step(path), parse(self.text(path), str(path)))
+        library = any(path.is_relative_to(folder.resolve()) for folder in self.libraries)
+        module = Module(str(path), self.step(path), parse(self.text(path), str(path)), library)
         for statement in module.body:
             if isinstance(statement, Import):
                 self.load_import(module, statement)

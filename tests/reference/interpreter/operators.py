@@ -69,6 +69,12 @@ def ints_from_to(left, right, place):
     return range(left, right + 1)
 
 
+def is_in(value, items, place):
+    if type(items) is not tuple:
+        raise ProgramError(place, f"'in' needs a list, not {kind(items)}")
+    return any(same(each, value) for each in items)
+
+
 BINARY = {
     "+": add,
     "-": lambda a, b, place: arithmetic("-", a, b, place, lambda x, y: x - y),
@@ -81,6 +87,7 @@ BINARY = {
     "<=": lambda a, b, place: compare("<=", a, b, place),
     ">": lambda a, b, place: compare(">", a, b, place),
     ">=": lambda a, b, place: compare(">=", a, b, place),
+    "in": is_in,
 }
 
 
@@ -98,7 +105,9 @@ def negative(value, place):
 
 
 def element(base, index, place):
-    """base[index]. An index outside of the list rules the execution out."""
+    """base[index]. An index outside of the list rules the execution out. A list of indices gives a list."""
+    if type(base) is tuple and type(index) is tuple:
+        return tuple(element(base, each, place) for each in index)
     check_index(base, index, place)
     return base[index]
 

@@ -2,12 +2,12 @@
 
 from .lexer import tokens_of
 from .syntax import (
-    Argument, Assign, Binary, Block, Call, Change, Clause, Comprehension, Conditional, Evaluate, FieldOf, For,
-    FunctionDisplay, If, Import, Index, Leave, ListDisplay, Literal, Name, Param, Parameter, ProgramError,
+    Argument, Assign, Auxiliary, Binary, Block, Call, Change, Clause, Comprehension, Conditional, Evaluate, FieldOf, For,
+    FunctionDisplay, If, Import, Index, Leave, ListDisplay, Literal, Name, Output, Param, Parameter, ProgramError,
     RecordDeclaration, Return, Unary, While,
 )  # fmt: skip
 
-COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
+COMPARISONS = ("==", "!=", "<", "<=", ">", ">=", "in")
 CHANGES = ("+=", "-=", "*=", "/=", "%=")
 CONSTANTS = {"true": True, "false": False, "nil": None}
 
@@ -68,9 +68,21 @@ class Parser:
             raise ProgramError(self.place, f"a {word} stands at the top level of a file")
         if word in forms:
             return forms[word]()
+        if word == "name" and self.token.value == "output" and self.tokens[self.at + 1].kind == "{":
+            return self.output(top_level)
+        if word == "name" and self.token.value == "aux" and self.tokens[self.at + 1].kind == "name":
+            place = self.take().place
+            return Auxiliary(place, [self.simple_statement()])
         if word == "fun" and self.tokens[self.at + 1].kind == "name":
             return self.function_statement()
         return self.simple_statement()
+
+    def output(self, top_level):
+        place = self.take().place
+        body = self.block().body
+        if not top_level or not self.sees("end"):
+            raise ProgramError(place, "the output stands at the end of the script")
+        return Output(place, body)
 
     def end_statement(self):
         if self.accept(";") or self.sees("}", "else", "end") or self.at == self.end_of_function:
@@ -269,13 +281,16 @@ class Parser:
 
     def comparison(self):
         left = self.span()
-        if not self.sees(*COMPARISONS):
+        negated = self.sees("not") and self.tokens[self.at + 1].kind == "in"
+        if negated:
+            self.take()
+        elif not self.sees(*COMPARISONS):
             return left
         sign = self.take().kind
         whole = Binary(left.place, sign, left, self.span())
-        if self.sees(*COMPARISONS):
+        if self.sees(*COMPARISONS, "not"):
             raise ProgramError(self.place, "comparisons do not chain")
-        return whole
+        return Unary(left.place, "not", whole) if negated else whole
 
     def span(self):
         return self.chain([".."], self.sum)

@@ -157,6 +157,16 @@ class Block(Node):
 
 
 @dataclass(eq=False)
+class Output(Block):
+    """What runs at the end of every solution."""
+
+
+@dataclass(eq=False)
+class Auxiliary(Block):
+    """A statement whose choices are auxiliary."""
+
+
+@dataclass(eq=False)
 class If(Node):
     condition: Node
     then: Node
@@ -217,6 +227,7 @@ class Module:
     file: str
     step: str  # of the addresses of what its top level does, if it is imported
     body: list
+    library: bool = False  # whether the file belongs to the language's own library
     assigned: set = field(default_factory=set)
     records: dict = field(default_factory=dict)  # name -> RecordDeclaration
     imports: list = field(default_factory=list)  # Modules, in the order of their import statements

@@ -52,6 +52,7 @@ class BuiltinCall:
     given: dict  # by parameter
     rest: list
     extras: list
+    activation: object = None  # the call that the builtin is called in
     places: dict = field(default_factory=dict)
 
     @property

@@ -1,0 +1,18 @@
+#pragma once
+#include <set>
+#include <unordered_set>
+
+#include "tracegraph/graph.h"
+#include "tracegraph/trace.h"
+#include "tracegraph/valuation.h"
+
+namespace solitaire {
+
+/// The addresses of the auxiliary choices of a trace: solutions that differ in nothing else are one.
+std::unordered_set<AddressId> auxiliary_choices(const Trace& trace);
+/// The numbers of the graph's variables that stand for them.
+std::set<std::size_t> auxiliary_variables(const Graph& graph, const Trace& trace);
+/// The values of the other choices.
+Valuation without(const std::unordered_set<AddressId>& auxiliary, const Valuation& values);
+
+}  // namespace solitaire

@@ -1,0 +1,36 @@
+// Shows: a tower of bricks: every layer is full, and every brick holds two bricks of the layer below together.
+import "std/layout.sol";
+
+param size = 4;       // in studs, square
+param layers = 3;
+param bricks = 4;     // in a layer
+
+record Brick(x, y, w, d, turn, color);
+base = Rect(0, 0, size, size);
+fun brick() {
+  w, d = choose([[2, 2], [3, 2], [4, 2], [2, 1], [3, 1], [4, 1]]);
+  return Brick(range(0, size - 1), range(0, size - 1), w, d, range(0, 1), choose(["red", "blue", "yellow", "green"]));
+}
+fun make_layer() {
+  layer = [brick() for i in 1..bricks];
+  assert(all([inside(b, base) for b in layer]) and all_apart(layer));
+  assert(sum([b.w * b.d for b in layer]) == size * size, "the layer is full");
+  assert(all([not touching(a, b) or a.color != b.color for a, b in pairs(layer)]), "neighbours differ in colour");
+  return layer;
+}
+tower = [make_layer() for i in 1..layers];
+for below, above in zip(tower, cdr(tower)) {
+  for b in above: assert(count([overlap_x(a, b) and overlap_y(a, b) for a in below]) >= 2, "it holds two together");
+}
+
+unit(0.008);
+output {
+  for i, layer in enumerate(tower) {
+    for b in layer {
+      place("brick", at: [b.x + 0.02, b.y + 0.02, 1.2 * i], size: [b.w - 0.04, b.d - 0.04, 1.16], turn: b.turn, color: b.color);
+      for u in 0..width(b) - 1 { for v in 0..depth(b) - 1 {
+        place("cylinder", at: [b.x + u + 0.25, b.y + v + 0.25, 1.2 * i + 1.16], size: [0.5, 0.5, 0.2], color: b.color);
+      } }
+    }
+  }
+}

@@ -1,0 +1,36 @@
+// Shows: a kitchen along two walls, in which what is used together stands together, and every door opens.
+import "std/layout.sol";
+import "std/rooms.sol";
+
+param side = 8;    // of the room, in half metres
+
+unit(0.5);
+room = Rect(0, 0, side, side);
+door = Opening("door", 2, 0, 2, false);
+
+fun appliance(kind, w) { return Thing(kind, w, 1, choose([0, 1]), range(0, side - 1), range(0, side - 1)); }
+fridge, sink, stove = appliance("fridge", 2), appliance("sink", 2), appliance("stove", 2);
+boards = [appliance("worktop", 2) for i in 1..3];
+table = Thing("table", 3, 2, range(0, 1), range(0, side), range(0, side));
+line = [fridge, sink, stove] + boards;
+
+for o in line: assert(flush(o, room), "along the back or the left wall");
+assert(inside(table, room) and all_apart(line + [table]));
+for o in line: assert(usable(o, line + [table], 2), "one can stand before it");
+assert(way_is_free(door, line + [table], 2), "one can come in");
+assert(any([touching(sink, b) for b in boards]) and any([touching(stove, b) for b in boards]), "a worktop beside sink and stove");
+assert(not touching(fridge, stove), "the fridge stays cold");
+steps = abs(fridge.x - sink.x) + abs(fridge.y - sink.y) + abs(sink.x - stove.x) + abs(sink.y - stove.y);
+prefer(steps <= 8);
+
+colors = [["fridge", "silver"], ["sink", "teal"], ["stove", "black"], ["worktop", "beige"]];
+show_room(room, 0.3);
+show_in_wall(Thing("door", 2, 1, 2, door.x, door.y), room, 0.3);
+show(table);
+output {
+  for o in line {
+    color = last(first(filter(fun(c) { return c[0] == o.kind; }, colors)));
+    place(o.kind, at: [o.x, o.y], size: [o.w, o.d, if o.kind == "fridge" then 3.6 else 1.8], turn: o.turn, color: color);
+  }
+  print(str(steps, " steps from fridge to sink to stove"));
+}

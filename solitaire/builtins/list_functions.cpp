@@ -1,0 +1,205 @@
+#include "solitaire/builtins/list_functions.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+
+#include "solitaire/run/evaluation.h"
+
+namespace solitaire {
+namespace {
+
+using Call = const BuiltinCall&;
+using Items = std::span<const Value>;
+
+/// For each item, whether it equals the value, as a bool.
+std::vector<Value> equalities(Evaluator& evaluator, Items items, const Value& value, Span span) {
+  std::vector<Value> equal;
+  equal.reserve(items.size());
+  for (const Value& item : items) equal.push_back(evaluator.equal(item, value, span));
+  return equal;
+}
+
+Value required_element(Evaluator& evaluator, Call call, const char* name, bool last) {
+  return evaluator.with_items(call.arguments[0], name, call.site.span, [&](Items items) {
+    if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
+    return last ? items.back() : items.front();
+  });
+}
+
+/// What a function makes of each item.
+std::vector<Value> keys_of(Evaluator& evaluator, const Value& function, Items items, Call call) {
+  const Value list = Value::list({items.begin(), items.end()});
+  const Value keys = evaluator.map_list(function, list, call.site);
+  return keys.as_list()->items;
+}
+
+}  // namespace
+
+Value count_equal(Evaluator& evaluator, Call call) {
+  const Value wanted = given(call.arguments[1]) ? call.arguments[1] : Value(true);
+  return evaluator.with_items(call.arguments[0], "count", call.site.span, [&](Items items) {
+    Value total = std::int64_t{0};
+    for (const Value& equal : equalities(evaluator, items, wanted, call.site.span)) {
+      const Value one = evaluator.select(equal, std::int64_t{1}, std::int64_t{0}, call.site.span);
+      total = evaluator.arithmetic(BinaryOp::kAdd, total, one, call.site.span);
+    }
+    return total;
+  });
+}
+
+Value index_of(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  return evaluator.with_items(call.arguments[0], "index_of", span, [&](Items items) -> Value {
+    const std::vector<Value> equal = equalities(evaluator, items, call.arguments[1], span);
+    Value found = false;
+    for (const Value& one : equal) found = evaluator.either(found, one);
+    if (const bool* known = found.plain<bool>(); known != nullptr && !*known)
+      evaluator.reject(ConstraintKind::kIndex, span);
+    evaluator.require(found, ConstraintKind::kIndex, span);
+    Value index = static_cast<std::int64_t>(items.size()) - 1;
+    for (std::size_t i = items.size() - 1; i-- > 0;)
+      index = evaluator.select(equal[i], static_cast<std::int64_t>(i), index, span);
+    return index;
+  });
+}
+
+Value first_element(Evaluator& evaluator, Call call) {
+  return required_element(evaluator, call, "first", false);
+}
+
+Value last_element(Evaluator& evaluator, Call call) {
+  return required_element(evaluator, call, "last", true);
+}
+
+Value enumerate(Evaluator& evaluator, Call call) {
+  return evaluator.with_items(call.arguments[0], "enumerate", call.site.span, [&](Items items) {
+    evaluator.step(call.site.span, items.size());
+    std::vector<Value> made;
+    for (const Value& item : items)
+      made.push_back(evaluator.make_list({static_cast<std::int64_t>(made.size()), item}, call.site.span));
+    return evaluator.make_list(std::move(made), call.site.span);
+  });
+}
+
+Value map_function(Evaluator& evaluator, Call call) {
+  return evaluator.map_list(call.arguments[0], call.arguments[1], call.site);
+}
+
+Value filter_function(Evaluator& evaluator, Call call) {
+  return evaluator.filter_list(call.arguments[0], call.arguments[1], call.site);
+}
+
+// ---- order
+
+namespace {
+
+/// Returns true if all keys are constants of which it is known how they compare.
+bool are_constants(Items keys) {
+  return std::all_of(keys.begin(), keys.end(), [](const Value& key) {
+    return key.plain<std::int64_t>() != nullptr || key.plain<double>() != nullptr;
+  });
+}
+
+std::vector<Value> sorted_constants(Evaluator& evaluator, Items items, Items keys, Span span) {
+  std::vector<std::size_t> order(items.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return *evaluator.compare(BinaryOp::kLess, keys[a], keys[b], span).get<bool>();
+  });
+  std::vector<Value> sorted;
+  for (const std::size_t i : order) sorted.push_back(items[i]);
+  return sorted;
+}
+
+/// Sorts by comparing neighbours in an order that does not depend on what they are: insertion sort as a
+/// network, which keeps equal ones in their order (Knuth, The Art of Computer Programming 3, section 5.3.4).
+std::vector<Value> sorted_by_network(Evaluator& evaluator, Items given_items, Items given_keys, Span span) {
+  std::vector<Value> items(given_items.begin(), given_items.end());
+  std::vector<Value> keys(given_keys.begin(), given_keys.end());
+  evaluator.step(span, items.size() * items.size() / 2);
+  const auto exchange = [&](const Value& less, std::vector<Value>& values, std::size_t at) {
+    const Value before = evaluator.select(less, values[at + 1], values[at], span);
+    values[at + 1] = evaluator.select(less, values[at], values[at + 1], span);
+    values[at] = before;
+  };
+  for (std::size_t end = 1; end < items.size(); ++end) {
+    for (std::size_t at = end; at-- > 0;) {
+      const Value less = evaluator.compare(BinaryOp::kLess, keys[at + 1], keys[at], span);
+      if (const bool* known = less.plain<bool>(); known != nullptr && !*known) continue;
+      exchange(less, items, at);
+      exchange(less, keys, at);
+    }
+  }
+  return items;
+}
+
+void check_numbers(Evaluator& evaluator, Items keys, const char* name, Span span) {
+  for (const Value& key : keys) {
+    evaluator.each_shape(key, [&](const Value& one) {
+      if (!one.is_number())
+        evaluator.program_error(span, fmt::format("'{}' needs numbers, here is {}", name, describe(one)),
+                                "key: fun(x) { ... } gives a number for each");
+      return one;
+    });
+  }
+}
+
+/// The first of the items whose key is least, or greatest.
+Value extreme_by(Evaluator& evaluator, Items items, Items keys, BinaryOp better, Span span) {
+  Value best = items.front();
+  Value best_key = keys.front();
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    const Value takes = evaluator.compare(better, keys[i], best_key, span);
+    best = evaluator.select(takes, items[i], best, span);
+    best_key = evaluator.select(takes, keys[i], best_key, span);
+  }
+  return best;
+}
+
+/// The function that is given as `key:`, or null. Named arguments of other names are errors.
+const Value* key_function(Evaluator& evaluator, Call call, const char* name) {
+  for (const auto& [parameter, value] : call.extras) {
+    if (parameter == "key") return &value;
+    evaluator.program_error(call.site.span, fmt::format("'{}' has no parameter '{}'", name, parameter));
+  }
+  return nullptr;
+}
+
+Value extreme(Evaluator& evaluator, Call call, Op op) {
+  const Span span = call.site.span;
+  const char* name = operation(op).name.data();
+  const Value* key = key_function(evaluator, call, name);
+  const auto fold = [&](Items items) -> Value {
+    if (items.empty()) evaluator.reject(ConstraintKind::kNotEmpty, span);
+    if (key != nullptr) {
+      const std::vector<Value> keys = keys_of(evaluator, *key, items, call);
+      check_numbers(evaluator, keys, name, span);
+      return extreme_by(evaluator, items, keys, op == Op::kMin ? BinaryOp::kLess : BinaryOp::kGreater, span);
+    }
+    Value best = evaluator.pick(op, items.front(), items.front(), span);  // an error if it is no number
+    for (std::size_t i = 1; i < items.size(); ++i) best = evaluator.pick(op, best, items[i], span);
+    return best;
+  };
+  if (call.arguments.size() > 1) return fold(call.arguments);
+  return evaluator.with_items(call.arguments[0], name, span, fold);
+}
+
+}  // namespace
+
+Value minimum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMin); }
+Value maximum(Evaluator& evaluator, Call call) { return extreme(evaluator, call, Op::kMax); }
+
+Value sort(Evaluator& evaluator, Call call) {
+  const Span span = call.site.span;
+  return evaluator.with_items(call.arguments[0], "sort", span, [&](Items items) {
+    std::vector<Value> keys(items.begin(), items.end());
+    if (given(call.arguments[1])) keys = keys_of(evaluator, call.arguments[1], items, call);
+    check_numbers(evaluator, keys, "sort", span);
+    std::vector<Value> sorted = are_constants(keys) ? sorted_constants(evaluator, items, keys, span)
+                                                    : sorted_by_network(evaluator, items, keys, span);
+    return evaluator.make_list(std::move(sorted), span);
+  });
+}
+
+}  // namespace solitaire
