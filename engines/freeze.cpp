@@ -29,7 +29,8 @@ Solution solution_of(Execution execution, const AddressTable& addresses) {
   solution.choices.reserve(execution.choices.size());
   for (const MetChoice& choice : execution.choices)
     (choice.auxiliary ? solution.auxiliary : solution.choices)
-        .push_back({addresses.text(choice.address), choice.domain.family, choice.value, element_text(choice.element)});
+        .push_back({addresses.text(choice.address), choice.domain.family, choice.value,
+                    element_text(choice.element)});
   solution.placements.reserve(execution.placements.size());
   for (Placement& placement : execution.placements)
     solution.placements.push_back({static_cast<PlacedItem&&>(placement), {}});

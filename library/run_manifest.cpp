@@ -64,8 +64,7 @@ Diversity diversity_of(const SearchOptions& options) {
 
 /// Returns those options that decide which solutions come, apart from how many there are to be.
 Json options_json(const SearchOptions& options) {
-  Json json{{"distinct", name_of(options.distinct)},
-            {"diversity", level_name(diversity_of(options))}};
+  Json json{{"distinct", name_of(options.distinct)}, {"diversity", level_name(diversity_of(options))}};
   if (options.min_distance > 0) json["min_distance"] = options.min_distance;
   json["explore"] = options.exploration_name();
   json["max_steps"] = options.max_steps;

@@ -312,9 +312,8 @@ TEST_CASE("cli: a rough layout first, then variations of what was liked of it") 
   const std::string script = SOLITAIRE_SOURCE_DIR "/examples/workspace.sol";
   const std::string rough = place / "rough";
   // Asked for now as well, so that some variation of what comes can be had.
-  const std::vector<std::string> wishes = {"--set",    "groups=2",
-                                           "--pin",    "door/turn=2",
-                                           "--forbid", "make_group[0]/make_sofa[*]/anywhere/turn=1"};
+  const std::vector<std::string> wishes = {
+      "--set", "groups=2", "--pin", "door/turn=2", "--forbid", "make_group[0]/make_sofa[*]/anywhere/turn=1"};
   std::vector<std::string> first = {"generate", script, "-n", "2", "-o", rough};
   first.insert(first.end(), wishes.begin(), wishes.end());
   CHECK(run_solitaire(first).status == 0);

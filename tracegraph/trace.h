@@ -18,7 +18,7 @@ struct TraceChoice {
   Span span;
   /// Where an execution is traced, the parameters of the distribution as of log_density() (density.h).
   std::vector<NodeId> parameters = {};
-  bool auxiliary = false;  // solutions that differ in nothing but such choices are one
+  bool auxiliary = false;       // solutions that differ in nothing but such choices are one
   std::size_t list = SIZE_MAX;  // of choose(list): which of the lists that the evaluation chose from
 };
 

@@ -20,8 +20,8 @@ struct ReachableValues {
 };
 
 /// Finds the values of every choice that the program makes, in the order in which choices are met. `told` is
-/// called for each as soon as it is known. Auxiliary choices are left out unless they are asked for. Choices of many values are described by the least and the
-/// greatest.
+/// called for each as soon as it is known. Auxiliary choices are left out unless they are asked for. Choices
+/// of many values are described by the least and the greatest.
 void find_reachable_values(const Program& program, const ParamValues& params, const TracingOptions& options,
                            AddressTable& addresses, bool with_auxiliary,
                            const std::function<void(const ReachableValues&)>& told);

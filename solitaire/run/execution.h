@@ -50,7 +50,7 @@ struct MetChoice {
   AddressId address;
   Distribution domain;
   TypedScalar value;
-  Value element;  // of choose(list): what it chose, else Unset
+  Value element;           // of choose(list): what it chose, else Unset
   bool auxiliary = false;  // as of a TraceChoice
 };
 

@@ -135,7 +135,8 @@ std::optional<Execution> read_execution(const Program& program, const SymbolicPa
   for (const TraceChoice& choice : trace.choices) {
     if (!assignment.holds(choice.guard)) continue;
     const std::int64_t answer = assignment.value(choice.variable)->i;
-    execution.choices.push_back({choice.address, choice.domain, choice.domain.typed(answer), {}, choice.auxiliary});
+    execution.choices.push_back(
+        {choice.address, choice.domain, choice.domain.typed(answer), {}, choice.auxiliary});
     if (choice.list >= pass.lists.size()) continue;
     std::optional<Value> element = element_under(assignment, pass.lists[choice.list], answer);
     if (!element) return std::nullopt;
