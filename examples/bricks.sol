@@ -27,10 +27,7 @@ unit(0.008);
 output {
   for i, layer in enumerate(tower) {
     for b in layer {
-      place("brick", at: [b.x + 0.02, b.y + 0.02, 1.2 * i], size: [b.w - 0.04, b.d - 0.04, 1.16], turn: b.turn, color: b.color);
-      for u in 0..width(b) - 1 { for v in 0..depth(b) - 1 {
-        place("cylinder", at: [b.x + u + 0.25, b.y + v + 0.25, 1.2 * i + 1.16], size: [0.5, 0.5, 0.2], color: b.color);
-      } }
+      place(str("brick_", b.w, "x", b.d), at: [b.x, b.y, 1.2 * i], turn: b.turn, color: b.color);
     }
   }
 }

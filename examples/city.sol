@@ -32,11 +32,38 @@ for x in 0..w - 2 {
 assert(max(skyline) == tallest);
 
 unit(10);
-place("street", at: [-0.5, -0.5, -0.05], size: [1.5 * w + 0.5, 1.5 * d + 0.5, 0.05], color: "gray");
+place("asphalt", at: [-0.6, -0.6, -0.01], size: [1.5 * w + 0.7, 1.5 * d + 0.7, 0.01], material: "asphalt");
+paints = ["red", "silver", "blue", "white", "black", "#2f6f5e"];
+
+// What stands on a lot of ten metres.
+fun show_lot(use, x, y, floors) {
+  place("pavement", at: [1.5 * x - 0.06, 1.5 * y - 0.06], size: [1.12, 1.12, 0.015], material: "concrete");
+  if use.name == "park" then {
+    place("lawn", at: [1.5 * x, 1.5 * y], size: [1, 1, 0.02]);
+    if (x + y) % 2 == 0 then place("fountain", at: [1.5 * x + 0.29, 1.5 * y + 0.29, 0.018]);
+    for u, v in [[0.05, 0.7], [0.68, 0.66], [0.7, 0.1]] { place(if (x + y) % 2 == 0 then "tree" else "tall_tree", at: [1.5 * x + u, 1.5 * y + v, 0.018], size: [0.28, 0.28]); }
+    place("bench", at: [1.5 * x + 0.15, 1.5 * y + 0.12, 0.018]);
+    return;
+  }
+  at = [1.5 * x + 0.02, 1.5 * y + 0.02, 0.015];
+  high = floors * 0.4;
+  if use.name == "home" and floors <= 3 then {
+    place("lawn", at: [1.5 * x, 1.5 * y], size: [1, 1, 0.017]);
+    place(if floors == 2 then "cottage" else "house", at: [1.5 * x + 0.03, 1.5 * y + 0.06, 0.015], size: [0.94, 0.85], tint: floors == 3, color: if floors == 3 then "#ffe9d2" else nil);
+  }
+  else if use.name == "home" then for u in [0.02, 0.5]: place("town_house", at: [1.5 * x + u, 1.5 * y + 0.05, 0.015], size: [0.48, 0.9, high * 0.75]);
+  else if use.name == "shop" then place("corner_shop", at: [1.5 * x + 0.1, 1.5 * y + 0.0, 0.015], size: [0.8, 1, 0.36 + 0.24 * floors]);
+  else if use.name == "office" then place("apartments", at: at, size: [0.96, 0.86, high]);
+  else place("office_tower", at: [1.5 * x + 0.08, 1.5 * y + 0.08, 0.015], size: [0.84, 0.84, high]);
+}
 output {
   for y, row in enumerate(lots) {
     for x, use in enumerate(row) {
-      place(use.name, at: [1.5 * x, 1.5 * y], size: [1, 1, max(0.1, height[y][x] * 0.4)], color: use.color);
+      show_lot(use, x, y, height[y][x]);
+      number = y * w + x;
+      if number % 2 == 0 then place("car", at: [1.5 * x + 1.12, 1.5 * y + 0.3], color: paints[number % 6]);
+      if number % 3 == 1 then place(if number % 4 == 0 then "bus" else "small_car", at: [1.5 * x + 0.2, 1.5 * y - 0.36], turn: 1, color: paints[(number + 2) % 6]);
+      place("street_lamp", at: [1.5 * x + 1.0, 1.5 * y - 0.05, 0.015], turn: 1);
     }
   }
   return skyline;

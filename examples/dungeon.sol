@@ -25,16 +25,29 @@ for i in 1..rooms - 1: assert(order[from[i]] < order[i], "from an earlier room")
 for k in 0..locks - 1: assert(order[keys[k]] < order[locked[k]], "the key comes before the door");
 assert(locked[0] == rooms - 1 and keys[0] != 0, "the last room is locked");
 
+fun show_gate(kind, gate, color) {
+  place(kind, at: if gate.upwards then [gate.x - 0.2, gate.y] else [gate.x, gate.y - 0.2], size: [1, 0.4],
+        turn: if gate.upwards then 1 else 0, color: color);
+}
+
 output {
-  show_rooms(dungeon, height: 2);
-  for i, door in enumerate(doors) { if i + 1 not in locked then show_opening(door); }
+  show_rooms(dungeon, 0.3, 1.6, "stone");
+  for i, door in enumerate(doors) { if i + 1 not in locked then show_gate("dungeon_arch", door, nil); }
+  for i, room in enumerate(dungeon) {
+    for x in 0..room.w - 1 { for y in 0..room.d - 1: place("dungeon_floor", at: [room.x + x, room.y + y, 0.0]); }
+    if i % 3 == 1 then place("barrel", at: [room.x + 0.3, room.y + room.d - 0.95]);
+    if i % 3 == 2 then place("skeleton", at: [room.x + room.w - 1.1, room.y + 0.6], turn: i % 4);
+    place("torch", at: [room.x + room.w / 2.0 - 0.05, room.y + room.d - 0.42, 0.7]);
+  }
+  last_room = dungeon[rooms - 1];
+  place("chest", at: [last_room.x + last_room.w / 2.0 - 0.4, last_room.y + last_room.d / 2.0 - 0.3]);
+  place("hero", at: [dungeon[0].x + dungeon[0].w / 2.0 - 0.3, dungeon[0].y + dungeon[0].d / 2.0 - 0.3], scale: 0.6);
   colors = ["red", "blue", "yellow"];
   for k in 0..locks - 1 {
     gate = doors[locked[k] - 1];
-    place("gate", at: if gate.upwards then [gate.x - 0.2, gate.y] else [gate.x, gate.y - 0.2], size: [1, 0.4, 1.8],
-          turn: if gate.upwards then 1 else 0, color: colors[k]);
+    show_gate("dungeon_door", gate, colors[k]);
     room = dungeon[keys[k]];
-    place("key", at: [room.x + room.w / 2.0, room.y + room.d / 2.0], size: [0.5, 0.5, 0.5], color: colors[k]);
+    place("key", at: [room.x + room.w / 2.0 + 0.3, room.y + room.d / 2.0], color: colors[k]);
     print(str("the ", colors[k], " key lies in room ", keys[k], " and opens the door to room ", locked[k]));
   }
 }

@@ -6,7 +6,6 @@ param w = 6;
 param h = 5;
 
 plants = ["carrot", "onion", "bean", "tomato"];
-colors = ["orange", "silver", "lime", "red"];
 enemies = [["onion", "bean"], ["carrot", "tomato"]];
 garden = make_grid(w, h, fun() { return choose(plants + ["path"]); });
 cells = flat(garden);
@@ -28,9 +27,9 @@ output {
     x, y = i % w, i / w;
     if cell == "path" then place("path", at: [x, y], size: [1, 1, 0.05], material: "stone");
     else {
-      place("bed", at: [x, y], size: [1, 1, 0.15], material: "soil");
+      place("raised_bed", at: [x, y], size: [1, 1]);
       for u, v in [[0, 0], [1, 0], [0, 1], [1, 1]] {
-        place(cell, at: [x + 0.15 + 0.45 * u, y + 0.15 + 0.45 * v, 0.15], size: [0.25, 0.25, 0.4], color: colors[index_of(plants, cell)]);
+        place(cell, at: [x + 0.1 + 0.42 * u, y + 0.1 + 0.42 * v, 0.17], size: [0.38, 0.38]);
       }
     }
   }

@@ -23,14 +23,15 @@ assert(not touching(fridge, stove), "the fridge stays cold");
 steps = abs(fridge.x - sink.x) + abs(fridge.y - sink.y) + abs(sink.x - stove.x) + abs(sink.y - stove.y);
 prefer(steps <= 8);
 
-colors = [["fridge", "silver"], ["sink", "teal"], ["stove", "black"], ["worktop", "beige"]];
-show_room(room, 0.3);
-show_in_wall(Thing("door", 2, 1, 2, door.x, door.y), room, 0.3);
-show(table);
 output {
-  for o in line {
-    color = last(first(filter(fun(c) { return c[0] == o.kind; }, colors)));
-    place(o.kind, at: [o.x, o.y], size: [o.w, o.d, if o.kind == "fridge" then 3.6 else 1.8], turn: o.turn, color: color);
+  show_room(room, 0.3);
+  show_in_wall(Thing("door", 2, 1, 2, door.x, door.y), room, 0.3);
+  show(table);
+  for u in [0.3, 1.7] {
+    for chair in [in_frame(table, "chair", u, -0.6, 1, 1, 2), in_frame(table, "chair", u, 1.6, 1, 1)] {
+      if inside(chair, room) then show(chair);
+    }
   }
+  for o in line: place(if o.kind == "worktop" then "counter" else o.kind, at: [o.x, o.y], size: [o.w, 1.24], turn: o.turn);
   print(str(steps, " steps from fridge to sink to stove"));
 }

@@ -25,14 +25,37 @@ for y in 0..h - 1 {
   }
 }
 
-unit(2.5);
-place("asphalt", at: [0, 0, -0.1], size: [w, h, 0.1], color: "gray");
+unit(5);
+place("asphalt", at: [-0.4, -0.4, -0.02], size: [w + 0.8, h + 0.8, 0.02], material: "asphalt");
+// The side of a stall where its lane is.
+fun way_out(x, y) {
+  if y > 0 then { if lot[y - 1][x] == "lane" then return 0; }
+  if x < w - 1 then { if lot[y][x + 1] == "lane" then return 1; }
+  if y < h - 1 then { if lot[y + 1][x] == "lane" then return 2; }
+  return 3;
+}
+vehicles = ["car", "small_car", "car", "small_car"];
+paints = ["red", "silver", "blue", "white", "black", "#2f6f5e", "orange", "#7a8fa6", "maroon"];
+
 output {
   for y, row in enumerate(lot) {
     for x, cell in enumerate(row) {
-      if cell == "tree" then place("tree", at: [x, y], size: [1, 1]);
-      if cell in ["stall", "disabled"] then
-        place(cell, at: [x + 0.05, y + 0.05], size: [0.9, 0.9, 0.02], color: if cell == "stall" then "white" else "blue");
+      number = y * w + x;
+      if cell == "tree" then {
+        place("lawn", at: [x + 0.05, y + 0.05], size: [0.9, 0.9, 0.04]);
+        place("tree", at: [x + 0.2, y + 0.2, 0.03], size: [0.6, 0.6]);
+      }
+      if cell in ["stall", "disabled"] then {
+        turn = way_out(x, y);
+        across = turn == 1 or turn == 3;
+        for side in [0, 1] {
+          place("parking_space", at: if across then [x, y + 0.5 * side] else [x + 0.5 * side, y], size: [0.5, 1, 0.01], turn: turn,
+                color: if cell == "stall" then nil else "blue");
+          if (number * 5 + 3 * side) % 4 != 0 then
+            place(vehicles[(number + side * 2) % 4], at: if across then [x + 0.1, y + 0.5 * side + 0.06] else [x + 0.06 + 0.5 * side, y + 0.1, 0.01], turn: turn,
+                  color: paints[(number * 7 + side * 3) % length(paints)]);
+        }
+      }
     }
   }
   place("gate", at: [gate, -0.3], size: [1, 0.2, 0.4], color: "red");

@@ -23,11 +23,19 @@ coins = [flip() for p in level];
 assert(count(coins) == 3 and not first(coins));
 for a, b in zip(coins, cdr(coins)): assert(not (a and b), "coins are not beside each other");
 
-for p in level: place("platform", at: [p.x, 0, p.y], size: [p.w, 2, 0.5], color: "green");
 output {
+  for i, p in enumerate(level) {
+    place("floating_platform", at: [p.x, 0, p.y], size: [p.w, 1, 0.5]);
+    if i % 3 == 1 then place("cloud", at: [p.x, 2.5, 7.4 + i % 2], scale: 0.9);
+  }
+  for x in 0..last(level).x + last(level).w: place("gap_tile", at: [x, 0, -1.3]);
+  for x, size in [[0, 1.6], [9, 1.1], [17, 1.7], [24, 1.2]] {
+    if x < last(level).x then place("hill", at: [x, 1.6, -1.3], scale: size);
+  }
+  place("hero", at: [0.7, 0.3, 1.5], turn: 1);
   for p, coin in zip(level, coins) {
-    if coin then place("sphere", at: [p.x + p.w / 2.0 - 0.25, 0.75, p.y + 0.8], size: [0.5, 0.5, 0.5], color: "yellow");
+    if coin then place("coin", at: [p.x + p.w / 2.0 - 0.3, 0.45, p.y + 0.8]);
   }
   end = last(level);
-  place("flag", at: [end.x, 0.9, end.y + 0.5], size: [0.1, 0.1, 2], color: "red");
+  place("goal_flag", at: [end.x + end.w - 0.9, 0.2, end.y + 0.5]);
 }

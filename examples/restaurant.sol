@@ -27,8 +27,18 @@ for area in areas {
 assert(all_apart(areas, 2), "a way between the tables");
 assert(sum([length(p.chairs) for p in places]) == 3 * tables, "as many small tables as large ones");
 
-show_room(room);
-for p in places { show(p.table); show_all(p.chairs); }
 output {
+  show_room(room, 0.25);
+  show_in_wall(Thing("double_door", 4, 1, 2, door.x, 0), room, 0.25);
+  for p in places {
+    seats = length(p.chairs);
+    kind = if seats == 2 then "dining_table" else "dining_table_four";
+    place(kind, at: [p.table.x, p.table.y], size: [p.table.w, p.table.d], turn: p.table.turn);
+    for i in 0..seats - 1 {
+      chair = in_frame(p.table, "restaurant_chair", if seats == 2 then 0.5 else 0.4 + 2.2 * (i % 2), if i < seats / 2 then -0.75 else 1.75, 1, 1, if i < seats / 2 then 2 else 0);
+      show(chair);
+    }
+  }
+  for x in [0.3, side - 1.3] { place("plant", at: [x, side - 1.3], size: [1, 1]); }
   print(format("{} seats", sum([length(p.chairs) for p in places])));
 }

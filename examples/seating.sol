@@ -20,10 +20,10 @@ for i, guest in enumerate(guests) {
 output {
   for t in 0..tables - 1 {
     here = [g for g, table in zip(guests, at) if table == t];
-    place("table", at: [6 * t, 0], size: [3, 3, 0.75], color: "brown");
+    place("round_dining_table", at: [6 * t, 0], size: [3, 3, 0.78]);
     for i, guest in enumerate(here) {
       angle = 6.2832 * i / length(here);
-      place("chair", at: [6 * t + 1 + 2.2 * cos(angle), 1 + 2.2 * sin(angle)], size: [1, 1], angle: 57.296 * angle + 270, name: guest.name);
+      place("restaurant_chair", at: [6 * t + 1 + 2.2 * cos(angle), 1 + 2.2 * sin(angle)], size: [1, 1], angle: 57.296 * angle + 270, name: guest.name);
     }
     print(format("table {}: {}", t + 1, [g.name for g in here]));
   }

@@ -28,9 +28,14 @@ for i in [0, 2, 4] {
 }
 prefer(count([flush(o, room) for o in stand]) >= 3, 2);
 
-show_room(room);
-show_in_wall(Thing("door", 2, 1, 2, door.x, 0), room);
 output {
-  for i, o in enumerate(stand): place(o.kind, at: [o.x, o.y], size: [o.w, o.d, 3], turn: o.turn, color: colors[i % 6]);
-  place("till", at: [till.x, till.y], size: [till.w, till.d, 2], turn: till.turn, color: "black");
+  show_room(room, 0.25);
+  show_in_wall(Thing("door", 2, 1, 2, door.x, 0), room, 0.25);
+  for i, o in enumerate(stand) {
+    for u in [0, 2.5] {
+      part = in_frame(o, "shop_shelf", u, 0, 2.5, 1);
+      place("shop_shelf", at: [part.x, part.y], size: [2.5, 1], turn: part.turn, color: colors[i % 6], name: o.kind);
+    }
+  }
+  place("till", at: [till.x, till.y], size: [till.w, till.d], turn: till.turn);
 }

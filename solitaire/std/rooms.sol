@@ -49,20 +49,20 @@ fun fills(rooms, site) {
 // ---- showing; in the output, where it costs the solver nothing
 
 // The floors of the rooms, and a wall on each line where one of them ends.
-fun show_rooms(rooms, thickness = 0.2, height = nil) {
+fun show_rooms(rooms, thickness = 0.2, height = nil, material = "plaster") {
   for r in rooms: place("floor", at: [r.x, r.y], size: [width(r), depth(r)], name: "floor");
   lying = [[y, x] for r in rooms for y in [y1(r), y2(r)] for x in x1(r)..x2(r) - 1];
   standing = [[x, y] for r in rooms for x in [x1(r), x2(r)] for y in y1(r)..y2(r) - 1];
   for line, from, long in runs(lying) {
-    show_piece([from - thickness / 2.0, line - thickness / 2.0], long + thickness, thickness, 0, height);
+    show_piece([from - thickness / 2.0, line - thickness / 2.0], long + thickness, thickness, 0, height, material);
   }
   for line, from, long in runs(standing) {
-    show_piece([line - thickness / 2.0, from - thickness / 2.0], long + thickness, thickness, 1, height);
+    show_piece([line - thickness / 2.0, from - thickness / 2.0], long + thickness, thickness, 1, height, material);
   }
 }
 
-fun show_piece(at, long, thickness, turn, height) {
-  place("wall", at: at, size: if height == nil then [long, thickness] else [long, thickness, height], turn: turn);
+fun show_piece(at, long, thickness, turn, height, material) {
+  place("wall", at: at, size: if height == nil then [long, thickness] else [long, thickness, height], turn: turn, material: material);
 }
 
 // Pieces of length 1, each a line and a position on it, joined to the longest: [line, from, length].
