@@ -114,7 +114,9 @@ Value choose(Evaluator& evaluator, Call call) {
   const Value& weights = call.arguments[1];
   const Span span = call.site.span;
   // One choice for all lengths that the list can have, so that it is the same choice whatever they are.
-  const Value last = last_index(evaluator, list, "choose", span);
+  const auto& given_list = call.site.arguments.front();
+  const Value last =
+      last_index(evaluator, list, "choose", given_list.name.empty() ? given_list.value->span : span);
   evaluator.effects().choosing_from(list);
   if (!given(weights)) {
     const Value index =
