@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <utility>
 
 #include "tracegraph/density.h"
 
@@ -34,8 +35,9 @@ Value Evaluator::decide(const CallExpr& site, const Value& lo, const Value& hi, 
   const std::int64_t answer = answered(address, domain).as_int();
   Value variable = answer;
   if (graph_ != nullptr) variable = variable.with_node(*graph_, graph_->choice({address, domain}));
-  effects_->choice(
-      {kTrue, {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step}), auxiliary_}, variable);
+  std::vector<NodeId> parameters;
+  if (graph_ != nullptr) parameters = parameter_nodes(prior, {lo, hi, step});
+  effects_->choice({kTrue, {}, address, domain, site.span, std::move(parameters), auxiliary_}, variable);
   if (domain.contains(answer)) return variable;
   require_between(variable, lo, hi, site.span, address);
   const Value rest =
