@@ -166,7 +166,7 @@ TEST_CASE("uniform: without repetitions each solution comes once, listed or from
 }
 
 /// 720 solutions, of which several look like each other.
-constexpr const char* kRooks =
+constexpr const char* kTwoRooks =
     "column = [range(0, 5) for row in 0..5];\nassert(distinct(column));\n"
     "for row in 0..5 { place(\"rook\", at: [row, column[row] / 2], size: [1, 1]); }\nreturn 0;\n";
 
@@ -182,7 +182,7 @@ std::vector<ChosenValues> take(UniformSeries& series, std::size_t count) {
 
 void check_resumed(const UniformOptions& uniform, bool distinct, const std::vector<std::size_t>& cuts,
                    std::size_t count) {
-  const Program program = program_of(kRooks);
+  const Program program = program_of(kTwoRooks);
   TracingOptions tracing;
   tracing.seed = 7;
   UniformSeries whole(program, {}, tracing, distinct ? Apart::kResult : Apart::kChoices, uniform);
@@ -211,7 +211,7 @@ TEST_CASE("uniform: an interrupted series goes on with exactly what would have c
 }
 
 TEST_CASE("uniform: every solution is run where that is asked for") {
-  const Program program = program_of(kRooks);
+  const Program program = program_of(kTwoRooks);
   for (const Replay replay : {Replay::kEvery, Replay::kSome}) {
     TracingOptions tracing;
     tracing.replay = replay;

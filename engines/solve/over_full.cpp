@@ -90,9 +90,9 @@ class Things {
 
   /// Returns the number of one of the two things that a condition keeps apart.
   std::optional<std::size_t> number(const Separation& pair, std::size_t which) {
-    const Apart& first = pair.axes[0];
+    const AxisSeparation& first = pair.axes[0];
     if (pair.number == 1) return thing_at({first.at[which]}, {first.length[which]});
-    const Apart& second = pair.axes[1];
+    const AxisSeparation& second = pair.axes[1];
     const auto other = partner(first.at[which]);
     if (!other || (*other != second.at[0] && *other != second.at[1])) return std::nullopt;
     const std::int64_t along = second.length[*other == second.at[0] ? 0 : 1];

@@ -137,14 +137,14 @@ std::vector<Precedence> alternatives(const ConditionReader& reader, SignedNode c
 
 /// Takes a comparison from the list, and the one by which the same two things would stand the other way
 /// round.
-std::optional<Apart> take_axis(const ConditionReader& reader, std::vector<Precedence>& parts) {
+std::optional<AxisSeparation> take_axis(const ConditionReader& reader, std::vector<Precedence>& parts) {
   const Precedence first = parts.back();
   parts.pop_back();
   for (auto second = parts.begin(); second != parts.end(); ++second) {
     const auto a = reader.least_difference(first.from, second->to);
     const auto b = reader.least_difference(second->from, first.to);
     if (!a || !b || *a + first.least < 1 || *b + second->least < 1) continue;
-    const Apart axis{{second->to, first.to}, {*a + first.least, *b + second->least}};
+    const AxisSeparation axis{{second->to, first.to}, {*a + first.least, *b + second->least}};
     parts.erase(second);
     return axis;
   }
@@ -156,7 +156,7 @@ std::optional<Separation> separation_of(const Graph& graph, const ConditionReade
                                         SignedNode condition) {
   const Graph::Node& node = graph.node(condition.node);
   if (!condition.holds && node.op == Op::kEqInt)
-    return Separation{condition, {Apart{{node.operands[0], node.operands[1]}, {1, 1}}}, 1};
+    return Separation{condition, {AxisSeparation{{node.operands[0], node.operands[1]}, {1, 1}}}, 1};
   std::vector<Precedence> parts = alternatives(reader, condition);
   if (parts.size() != 2 && parts.size() != 4) return std::nullopt;
   Separation pair{condition, {}, 0};

@@ -23,7 +23,7 @@ struct IntBounds {
 };
 
 /// Two places along one axis, and how long the thing at each is: the other one does not begin before its end.
-struct Apart {
+struct AxisSeparation {
   std::array<NodeId, 2> at;
   std::array<std::int64_t, 2> length;
 };
@@ -31,7 +31,7 @@ struct Apart {
 /// A condition that keeps two things apart, along one axis or along either of two.
 struct Separation {
   SignedNode condition;
-  std::array<Apart, 2> axes;
+  std::array<AxisSeparation, 2> axes;
   std::size_t number = 0;  // of axes
 };
 
