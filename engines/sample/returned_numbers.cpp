@@ -71,10 +71,10 @@ ReturnedNumbers::ReturnedNumbers(const Program& program) {
   }
   std::set<std::string> different;
   for (const Expr* each : expressions) {
-    items_.push_back(text(*each));
-    if (is_short(items_.back())) different.insert(items_.back());
+    const std::string called = text(*each);
+    const bool names = is_short(called) && different.insert(called).second;
+    items_.push_back(names ? called : fmt::format("{}[{}]", whole_, items_.size()));
   }
-  if (different.size() != items_.size()) items_.clear();
 }
 
 void ReturnedNumbers::read(const PlainValue& value, std::vector<std::string>& names,

@@ -10,7 +10,8 @@ namespace solitaire {
 
 /// Finds the numbers in what a program returns and names them: after the expressions that it returns, such as
 /// "slope" and "1 / sqrt(tau)", with the way to parts of lists and records behind them, as in "topics[0][2]".
-/// Where that cannot be said shortly they are parts of "value". A bool counts as 0 or 1; texts are left out.
+/// What cannot be said shortly, or was said of another one, is a part of "value". A bool counts as 0 or 1;
+/// texts are left out.
 class ReturnedNumbers {
  public:
   explicit ReturnedNumbers(const Program& program);
