@@ -41,7 +41,7 @@ draw spaceship spaceship --seed 3
 "$solitaire" assets --png --png-size 240x180 --quiet -o "$work/models" >/dev/null
 cp "$work"/models/models-*.png "$images/"
 for recipe in cave river roads rooms level tower parking; do draw_recipe "$recipe"; done
-for example in restaurant kitchen shop dungeon platforms island garden city seating roof bricks; do
+for example in restaurant kitchen shop dungeon parking platforms island garden city seating roof bricks; do
   "$solitaire" generate "examples/$example.sol" -n 1 --png-size 640x400 --quiet -o "$work/$example"
   cp "$work/$example/$example-0001.png" "$images/example_$example.png"
 done
