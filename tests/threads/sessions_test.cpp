@@ -21,7 +21,7 @@ constexpr const char* kScene =
     "param names = [\"oak\", \"elm\", \"ash\"];\nparam most = 12;\n"
     "record Tree(name, x, y);\n"
     "fun tree(i) { return Tree(names[i], range(0, most), range(0, most)); }\n"
-    "trees = [tree(i) for i in 0..2];\nlean = fun(t) => t.x - t.y;\n"
+    "trees = [tree(i) for i in 0..2];\nlean = fun(t) { return t.x - t.y; };\n"
     "for i in 0..1: assert(trees[i].x < trees[i + 1].x, \"in order\");\n"
     "assert(sum([lean(t) for t in trees]) > 0);\n"
     "for t in trees: place(\"chair\", at: [t.x, t.y], size: [1, 1], name: t.name);\n"
