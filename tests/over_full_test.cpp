@@ -177,7 +177,7 @@ TEST_CASE("over-full: what is found can never hold, and that is often") {
       REQUIRE(!can_hold(layout.graph, found.conditions));
     }
   }
-  CHECK(over_full > 60);
+  CHECK(over_full > 40);
 }
 
 TEST_CASE("over-full: the proof comes at once, by either solver, with its reason") {
