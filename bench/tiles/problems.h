@@ -6,8 +6,8 @@
 
 namespace solitaire::tiles::bench {
 
-/// The exemplars, in the folder of the sources. The facade is plainer than that of the examples: courses of
-/// stone that run through a whole storey are too hard for BlockSS.
+/// The exemplars, in the folder of the sources. The facade is plainer than that of the examples: it has no
+/// courses of stone that run through a whole storey.
 inline constexpr const char* kFacade = "bench/tiles/facade";
 inline constexpr const char* kSuburb = "examples/tiles/suburb";
 
