@@ -89,7 +89,7 @@ class OutputFolder::State {
         options_(options),
         timings_(timings),
         assets_(program.state().asset_library()),
-        lock_(made_folder(folder)),
+        lock_(std::in_place, made_folder(folder)),
         page_(folder, program.state().data / "page") {
     if (pictures)
       pictures_.emplace(folder, solitaire::PictureSize{pictures->width, pictures->height}, options.jobs);
@@ -139,6 +139,7 @@ class OutputFolder::State {
     manifest.update(manifest_json(options_, written_, ending, reason));
     if (timings_) manifest["timings"] = timings_json(written_.times);
     write_file_atomically(folder_ / (program_.name() + "-run.json"), json_text(manifest, 1) + "\n");
+    lock_.reset();
     return page;
   }
 
@@ -223,7 +224,7 @@ class OutputFolder::State {
   SearchOptions options_;
   bool timings_;
   AssetLibrary assets_;
-  FolderLock lock_;
+  std::optional<FolderLock> lock_;  // until the folder is closed
   std::optional<PictureFiles> pictures_;
   PageFiles page_;
   std::vector<GalleryEntry> entries_;

@@ -73,7 +73,7 @@ std::vector<Rank> ranks_of_engine(const Program& program, bool relax, const Sear
     REQUIRE(solution->quality.has_value());
     CHECK(solution->quality->proved);
     ranks.emplace_back(solution->quality->broken, solution->quality->cost);
-    CHECK(ranks.back() == rank_of(run_again(program, {}, solution->choices, limits)));
+    CHECK(ranks.back() == rank_of(run_again(program, {}, all_choices(*solution), limits)));
   }
   CHECK(engine.ending() == Ending::kExhausted);
   return ranks;

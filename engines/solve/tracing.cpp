@@ -168,6 +168,8 @@ void TracingEngine::give_up_enumeration() {
 Formula TracingEngine::formula_of_rest() {
   std::vector<NodeId> all = conditions();
   if (enumeration_) all.insert(all.end(), enumeration_->left_out().begin(), enumeration_->left_out().end());
+  for (const TraceProgramError& error : traced_.trace().program_errors)
+    all.push_back(traced_.graph().negation(error.guard));
   std::erase(all, kTrue);
   return {traced_.graph(), traced_.addresses(), std::move(all)};
 }

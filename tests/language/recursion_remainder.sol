@@ -4,6 +4,7 @@ fun steps(p) {
   return 1 + steps(p % range(0, 4) - 1);
 }
 return [steps(5), steps(5)];
+// expect solutions: 49
 // expect: [1, 1]
 // expect: [1, 2]
 // expect: [2, 1]
