@@ -26,11 +26,6 @@ constexpr std::uint32_t kFirstGrant = 8;
 constexpr std::uint64_t kFuelSteps = 100'000;
 constexpr std::uint32_t kFuelDepth = 200;
 constexpr std::uint32_t kFuelGrowth = 4;
-/// After so many rounds of opening what the core names, with nothing found, only those sides are opened to
-/// which some execution comes. That takes one more question for each round, and ends a search in which cores
-/// go on naming sides that nothing reaches: of a recursion on p % range(0, 4), all 49 solutions came, and
-/// never the proof that there are no others. Judgement.
-constexpr std::uint64_t kRoundsBeforeDoubt = 2;
 /// The search for rooms that are over-full looks at so many things in windows at most for each group of
 /// things, and at no longer windows, so that areas stay within 62 bits. Judgement: that takes some
 /// milliseconds.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <map>
 #include <set>
 
 #include "tests/generator/program_generator.h"
@@ -28,6 +29,15 @@ struct Executions {
   bool countable = true;
 };
 
+/// Returns the choices that tell executions apart.
+std::vector<std::pair<AddressId, TypedScalar>> shown_choices(const Execution& execution) {
+  std::vector<std::pair<AddressId, TypedScalar>> shown;
+  for (const MetChoice& choice : execution.choices) {
+    if (!choice.auxiliary) shown.emplace_back(choice.address, choice.value);
+  }
+  return shown;
+}
+
 Executions run_all(const Program& program, bool relax, std::size_t most) {
   Limits limits;
   limits.keep_going = relax;
@@ -38,7 +48,14 @@ Executions run_all(const Program& program, bool relax, std::size_t most) {
   try {
     const auto executions = all_executions(program, addresses, limits, most);
     if (!executions) return {{}, false};
-    for (const Execution& execution : *executions) all.ranks.push_back(rank_of(execution));
+    // Of executions that differ in auxiliary choices alone, only the best is a solution.
+    std::map<std::vector<std::pair<AddressId, TypedScalar>>, Rank> best;
+    for (const Execution& execution : *executions) {
+      const Rank rank = rank_of(execution);
+      const auto [known, added] = best.try_emplace(shown_choices(execution), rank);
+      if (!added) known->second = std::min(known->second, rank);
+    }
+    for (const auto& [choices, rank] : best) all.ranks.push_back(rank);
   } catch (const ProgramError&) {  // on a path that only broken asserts lead to
     return {{}, false};
   }

@@ -112,12 +112,10 @@ ExecutionSolver::Outcome ExecutionSolver::find(const Conditions& conditions, End
     for (const TraceProgramError& error : trace().program_errors) all.push_back(graph_.negation(error.guard));
     return all;
   };
-  for (std::uint64_t opened = 0;; ++opened) {
+  while (true) {
     const Outcome outcome = find_explored(without_errors, ends);
     if (outcome != Outcome::kNone) return outcome;
-    std::vector<std::size_t> in_the_way = blockers_in_core();
-    if (!in_the_way.empty() && opened >= tuning::kRoundsBeforeDoubt)
-      in_the_way = blockers_reached(without_errors).value_or(in_the_way);
+    const std::vector<std::size_t> in_the_way = blockers_in_core();
     if (in_the_way.empty()) {
       if (options_.method->asserts_closed_sides() && !trace().blockers.empty()) return Outcome::kUnexplored;
       return solver_->exact() ? Outcome::kNone : Outcome::kWrapped;
