@@ -125,7 +125,8 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<Thing>& things
   for (std::size_t first = 0; first < things.size(); ++first) {
     if (taken[first]) continue;
     std::vector<std::size_t> group{first};
-    for (const auto& [other, condition] : things[first].apart_from) {
+    for (const auto& partner : things[first].apart_from) {
+      const std::size_t other = partner.first;
       const bool fits =
           !taken[other] && other != group.back() && std::ranges::all_of(group, [&](std::size_t member) {
             return things[member].apart(other) != nullptr;
