@@ -66,7 +66,9 @@ void check(const Sampled& sampled) {
   std::map<std::string, nlohmann::json> found;
   const auto summary = nlohmann::json::parse(outcome.out);
   for (const auto& parameter : summary["parameters"]) found[parameter["name"]] = parameter;
-  for (const auto& [name, expected] : sampled.means) {
+  for (const auto& mean : sampled.means) {
+    const auto& name = mean.first;
+    const auto& expected = mean.second;
     CAPTURE(name);
     REQUIRE(found.contains(name));
     const double error = 4 * found[name]["mcse"].get<double>();

@@ -56,7 +56,9 @@ void check_frequencies(const Counted& counted, Engine engine) {
   options.warmup = 200;
   options.draws = 8000;
   const ChainDraws draws = returned(program, options);
-  for (const auto& [value, probability] : exact_probabilities(program)) {
+  for (const auto& exact : exact_probabilities(program)) {
+    const auto& value = exact.first;
+    const auto& probability = exact.second;
     CAPTURE(value);
     ChainDraws is = draws;
     for (double& x : is[0]) x = x == std::stod(value) ? 1 : 0;
