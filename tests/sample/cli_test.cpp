@@ -75,7 +75,7 @@ TEST_CASE("command: an interrupt keeps what was drawn") {
   const Workplace place;
   const fs::path file = place / "draws.csv";
   Command command(solitaire_with({"sample", place.file("coin.sol", kCoin), "-n", "100000000", "--warmup",
-                                  "10", "--json", "--draws", file}));
+                                  "10", "--thin", "2000", "--json", "--draws", file}));
   std::this_thread::sleep_for(std::chrono::milliseconds(2500));
   command.signal(SIGINT);
   const Outcome outcome = command.wait();
