@@ -29,7 +29,7 @@ export class Gallery {
     this.table = null;
     if (this.solutions.length === 0) return;
     this.toolbar = new Toolbar(columnNames(this.solutions.map((each) => each.columns)), this.solutions,
-                               () => this.#arrange());
+                               () => this.#arrange().finally(() => this.toolbar.settle()));
     this.grid.before(this.toolbar.element);
     this.#addCompareBar();
     for (const solution of this.solutions) this.#addPickButton(solution);

@@ -9,10 +9,11 @@ export class Toolbar {
   constructor(columnNames, solutions, changed) {
     this.total = solutions.length;
     this.descending = false;
+    this.awaited = 0;  // changes that the grid does not show yet
     this.changed = changed;
     this.filter = this.#makeFilter(columnNames);
     this.sort = this.#makeSort(columnNames);
-    this.anchor = element('select', { onchange: changed },
+    this.anchor = element('select', { onchange: () => this.#change() },
                           solutions.map(({ index, name }) => element('option', { value: index }, name)));
     this.anchorLabel = labelled('from', this.anchor);
     this.anchorLabel.hidden = true;
@@ -45,6 +46,12 @@ export class Toolbar {
     this.status.textContent = text;
   }
 
+  /** The grid shows one more of the changes. */
+  settle() {
+    this.awaited -= 1;
+    if (this.awaited === 0) this.element.removeAttribute('aria-busy');
+  }
+
   #makeFilter(columnNames) {
     const example = columnNames.find((name) => name !== 'number') ?? 'number';
     const filter = element('input', {
@@ -52,8 +59,15 @@ export class Toolbar {
     });
     filter.setAttribute('list', 'names');
     filter.oninput = () => {
-      clearTimeout(this.pause);
-      this.pause = setTimeout(this.changed, kTypingPause);
+      if (this.pause) {
+        clearTimeout(this.pause);
+        this.settle();
+      }
+      this.#await();
+      this.pause = setTimeout(() => {
+        this.pause = null;
+        this.changed();
+      }, kTypingPause);
     };
     return filter;
   }
@@ -65,7 +79,7 @@ export class Toolbar {
       element('option', { value: name }, texts[name] ?? name)));
     sort.onchange = () => {
       this.anchorLabel.hidden = sort.value !== 'distance';
-      this.changed();
+      this.#change();
     };
     return sort;
   }
@@ -73,6 +87,16 @@ export class Toolbar {
   #turn() {
     this.descending = !this.descending;
     this.direction.textContent = this.descending ? 'Descending' : 'Ascending';
+    this.#change();
+  }
+
+  #change() {
+    this.#await();
     this.changed();
+  }
+
+  #await() {
+    this.awaited += 1;
+    this.element.setAttribute('aria-busy', 'true');
   }
 }

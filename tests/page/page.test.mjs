@@ -48,7 +48,7 @@ async function withPage(address, act, settings) {
 const shownNames = (page) => page.locator('article:visible h2').allTextContents();
 const canvasOf = (page, at = 0) => page.locator('dialog canvas').nth(at);
 const panelOf = (page) => page.locator('dialog aside');
-const arranged = (page) => page.waitForTimeout(250);
+const arranged = (page) => page.locator('.toolbar[aria-busy]').waitFor({ state: 'detached' });
 
 async function openFirst(page) {
   await page.locator('article h2 a').first().click();
