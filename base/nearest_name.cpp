@@ -31,7 +31,7 @@ std::string nearer_than(std::size_t best_distance, std::string_view name,
                         const std::vector<std::string>& candidates) {
   std::string best;
   for (const std::string& candidate : candidates) {
-    const auto [shorter, longer] = std::minmax(name.size(), candidate.size());
+    const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
     if (longer - shorter >= best_distance) continue;
     std::size_t distance = edit_distance(name, candidate);
     if (distance == 2 && same_letters(std::string(name), candidate)) distance = 1;  // two letters swapped
