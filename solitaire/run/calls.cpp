@@ -148,9 +148,11 @@ std::vector<Value> Calls::bind(const std::string& name, const std::vector<Parame
   return arguments;
 }
 
-/// Evaluates arguments that are all given by position into places that are Unset.
+/// Evaluates arguments that are all given by position into places that are Unset. They are assigned and not
+/// constructed there: what an expression has begun to construct is destroyed where its path ends, and would
+/// be destroyed again with its place.
 void Calls::evaluate_arguments(const CallExpr& site, Value* places) {
-  for (const Argument& argument : site.arguments) new (places++) Value(expression(*argument.value));
+  for (const Argument& argument : site.arguments) *places++ = expression(*argument.value);
 }
 
 // ---- functions of the program

@@ -32,7 +32,7 @@ class Operands : public Summaries {
     } else if (node.kind == ExprKind::kField) {
       return field_operand(static_cast<const FieldExpr&>(node), storage);
     }
-    return *new (&storage) Value(expression(node));  // in place: there is nothing in it to be destroyed
+    return storage = expression(node);
   }
   /// A condition, as a bool.
   Value tested(const Expr& node) {
