@@ -15,7 +15,6 @@ class Row:
     params: dict = field(default_factory=dict)   # param: a function of the size; by default n is the size
     program: str = ""          # the program's name where it is not the row's
     count: object = None       # how many solutions, a function of the size
-    quick: bool = True
 
     def file(self, ending):
         name = self.program or self.name
