@@ -1,6 +1,7 @@
 #include "engines/distinct.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,11 +11,18 @@
 namespace solitaire {
 namespace {
 
+constexpr std::array<std::string_view, 6> kLooks = {"material", "tint", "pitch", "roll", "scale", "outline"};
+
 std::string look(const PlacedObject& placement) {
   std::string text =
       fmt::format("{} {} {} {}", json_string(placement.asset), placement.at, placement.size, placement.turn);
   if (placement.angle) text += fmt::format(" angle {}", *placement.angle);
   if (placement.color) text += fmt::format(" color {}", *placement.color);
+  for (const std::string_view looks : kLooks) {
+    for (const auto& [name, value] : placement.extras) {
+      if (name == looks && value != "null") text += fmt::format(" {} {}", name, value);
+    }
+  }
   return text;
 }
 
@@ -23,14 +31,18 @@ std::uint64_t hash_of_names(const Solution& solution) {
   std::uint64_t sum = 0;
   for (const PlacedObject& placement : solution.placements) {
     std::uint64_t hash = std::hash<std::string>{}(placement.name);
-    for (const auto& [name, value] : placement.extras)
-      hash = mix(mix(hash, std::hash<std::string>{}(name)), std::hash<std::string>{}(value));
+    for (const auto& [name, value] : placement.extras) {
+      if (!is_look(name))
+        hash = mix(mix(hash, std::hash<std::string>{}(name)), std::hash<std::string>{}(value));
+    }
     sum += hash;
   }
   return sum;
 }
 
 }  // namespace
+
+bool is_look(std::string_view extra) { return std::ranges::find(kLooks, extra) != kLooks.end(); }
 
 std::vector<std::string> looks_of(const Solution& solution) {
   std::vector<std::string> looks;

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -9,7 +10,11 @@
 
 namespace solitaire {
 
-/// Returns what each placed thing looks like, as text, sorted: its model, place, size, turn and colour.
+/// Returns true if a further argument of place() with this name shows, as "material" does.
+bool is_look(std::string_view extra);
+
+/// Returns what each placed thing looks like, as text, sorted: its model, place, size, turn, colour, and the
+/// further arguments that show.
 std::vector<std::string> looks_of(const Solution& solution);
 
 /// Tells solutions apart by what they look like: the value and the scene, and not the choices that led to

@@ -61,7 +61,7 @@ assert(y1(door) >= front_row or y2(door) <= desks.y + deep, "the door opens to t
 
 // ---- what it looks like
 
-show_room(room, 1.2);
+show_room(room);
 for i in 0..columns - 1 {
   for k in 0..rows - 1 {
     x = desks.x + i * (desk_width + aisle);
@@ -77,7 +77,7 @@ place("office_chair", at: [teacher.x + 5, teacher.y + 8], size: [6, 6]);
 place("globe", at: [teacher.x + 11, teacher.y + 1, 7.45]);
 place("blackboard", at: [board.x, room.d - 1.2, 8], size: [board_width, 1.4]);
 show_all(at_wall);
-show_in_wall(door, room, 1.2);
+show_in_wall(door, room);
 for i in 0..2 {
   place("window", at: [cond(door_right, -1.3, room.w - 0.1), room.d * (2 * i + 1) / 6 - 6, 8], size: [12.4, 1.4], turn: cond(door_right, 1, 3));
 }

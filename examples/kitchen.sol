@@ -24,8 +24,8 @@ steps = abs(fridge.x - sink.x) + abs(fridge.y - sink.y) + abs(sink.x - stove.x) 
 prefer(steps <= 8);
 
 output {
-  show_room(room, 0.3);
-  show_in_wall(Thing("door", 2, 1, 2, door.x, door.y), room, 0.3);
+  show_room(room);
+  show_in_wall(Thing("door", 2, 1, 2, door.x, door.y), room);
   show(table);
   for u in [0.3, 1.7] {
     for chair in [in_frame(table, "chair", u, -0.6, 1, 1, 2), in_frame(table, "chair", u, 1.6, 1, 1)] {

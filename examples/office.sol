@@ -73,8 +73,8 @@ fun show_office(office) {
   wall_piece(office, 0, wall, wall, office.d - 2 * wall);
   wall_piece(office, office.w - wall, wall, wall, office.d - 2 * wall);
   show(in_frame(office, "door", 0.8, 0 - 0.05, 1.8, wall + 0.1));   // opens the wall
-  show(in_frame(office, "desk", 0.7, 4.6, 2.6, 1.4, 2));
-  show(in_frame(office, "office_chair", 1.4, 6.1, 1.2, 1.2));
+  show(in_frame(office, "desk", wall, 4.6, 2.8, 1.4, 1));              // at the left wall
+  show(in_frame(office, "office_chair", wall + 1.5, 5.4, 1.2, 1.2, 3));   // in the 1 m between desk and right wall
   if office.w == 8 {
     show(in_frame(office, "bookcase", 4.3, office.d - wall - 0.7, 2.6, 0.7));
     show(in_frame(office, "sofa", 6.0, 1.6, 3.6, 1.6, 3));

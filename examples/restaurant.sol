@@ -28,8 +28,8 @@ assert(all_apart(areas, 2), "a way between the tables");
 assert(sum([length(p.chairs) for p in places]) == 3 * tables, "as many small tables as large ones");
 
 output {
-  show_room(room, 0.25);
-  show_in_wall(Thing("double_door", 4, 1, 2, door.x, 0), room, 0.25);
+  show_room(room);
+  show_in_wall(Thing("double_door", 4, 1, 2, door.x, 0), room);
   for p in places {
     seats = length(p.chairs);
     kind = if seats == 2 then "dining_table" else "dining_table_four";

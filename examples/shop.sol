@@ -29,8 +29,8 @@ for i in [0, 2, 4] {
 prefer(count([flush(o, room) for o in stand]) >= 3, 2);
 
 output {
-  show_room(room, 0.25);
-  show_in_wall(Thing("door", 2, 1, 2, door.x, 0), room, 0.25);
+  show_room(room);
+  show_in_wall(Thing("door", 2, 1, 2, door.x, 0), room);
   for i, o in enumerate(stand) {
     for u in [0, 2.5] {
       part = in_frame(o, "shop_shelf", u, 0, 2.5, 1);

@@ -1,6 +1,6 @@
 // Shows: a furniture layout that no forward generator finds easily.
 //
-// Every group has two tables that form one larger table, and for each table two chairs and a sofa that face it. The
+// Every group has two tables that form one larger table, and for each table two chairs and a sofa that face it, with room for legs and a way in. The
 // room fits what stands in it. Bookcases, a whiteboard and plants stand flush to its walls, and the way in stays free.
 // Try: --set groups=1 ... --set groups=6, and -n 50.
 import "std/layout.sol";
@@ -9,6 +9,7 @@ param groups = 3;
 param aisle = 3;    // what people need to walk: units between groups, and in front of bookcases
 
 unit(0.25);
+legs = 2;                 // half a metre between a sofa and its table, by which one comes in, too
 most = 14 + 7 * groups;   // no room is wider or deeper
 
 fun make_table() { return anywhere("table", 6, 3, most, most); }
@@ -19,11 +20,15 @@ fun make_group() {
   tables = [make_table() for i in 1..2];
   assert(joined(tables[0], tables[1]), "the tables form a larger one");
   seats = [];
+  ways = [];
   for table in tables {
-    own = [make_chair(), make_chair(), make_sofa()];
-    for seat in own: assert(facing(seat, table), "each seat faces its table");
-    seats = seats + own;
+    chairs, sofa = [make_chair(), make_chair()], make_sofa();
+    for chair in chairs: assert(facing(chair, table), "each chair faces its table");
+    assert(facing(sofa, table, legs), "and each sofa, with room for legs");
+    seats = seats + chairs + [sofa];
+    ways = ways + [front(sofa, legs)];
   }
+  assert(lists_apart(ways, seats), "nothing stands between a sofa and its table");
   return tables + seats;
 }
 

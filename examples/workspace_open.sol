@@ -9,6 +9,7 @@ param most_groups = 3;
 param aisle = 3;
 
 unit(0.25);
+legs = 2;                     // half a metre between a sofa and a table, by which one comes in, too
 most = 24 + 10 * most_groups;   // no room is wider or deeper
 
 fun make_table() { return anywhere("table", 6, 3, most, most); }
@@ -22,9 +23,10 @@ fun make_group() {
   assert(length(tables) < length(chairs), "more chairs than tables");
   assert(column(tables), "the tables form a larger one");
   for table in tables: assert(table.turn == tables[0].turn);
-  for seats in [chairs, sofas] {
-    for seat in seats: assert(any([facing(seat, table) for table in tables]), "each seat faces a table");
-  }
+  for chair in chairs: assert(any([facing(chair, table) for table in tables]), "each chair faces a table");
+  for sofa in sofas: assert(any([facing(sofa, table, legs) for table in tables]), "and each sofa, with room for legs");
+  ways = [front(sofa, legs) for sofa in sofas];
+  assert(lists_apart(ways, chairs) and lists_apart(ways, sofas), "nothing stands between a sofa and its table");
   // Lists of chosen lengths are best kept apart: joined into one, nobody could say which thing is the fifth.
   kinds = [tables, chairs, sofas];
   for kind in kinds: assert(all_apart(kind));

@@ -132,6 +132,7 @@ SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& ass
 class TreeBuilder {
  public:
   explicit TreeBuilder(Scene& scene) : scene_(scene) {
+    for (const SceneObject& object : scene.objects) names_.announce(plain_name(object));
     scene_.nodes.push_back({names_.take(scene.title), {}, {}});
   }
 
@@ -168,11 +169,9 @@ Scene build_scene(const std::vector<PlacedThing>& things, double unit, const std
   Scene scene;
   scene.title = title;
   scene.objects.reserve(things.size());
+  for (const PlacedThing& thing : things) scene.objects.push_back(make_object(thing, unit, assets));
   TreeBuilder tree(scene);
-  for (const PlacedThing& thing : things) {
-    scene.objects.push_back(make_object(thing, unit, assets));
-    tree.add(scene.objects.size() - 1);
-  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) tree.add(i);
   make_openings(scene);
   return scene;
 }

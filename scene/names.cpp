@@ -46,13 +46,17 @@ std::string harmless_name(std::string_view wanted) {
   return name;
 }
 
+void UniqueNames::announce(std::string_view wanted) { ++announced_[harmless_name(wanted)]; }
+
 std::string UniqueNames::take(std::string_view wanted) {
   const std::string base = harmless_name(wanted);
-  if (taken_.insert(base).second) return base;
-  int& number = last_number_.try_emplace(base, 1).first->second;
+  const auto announced = announced_.find(base);
+  const bool is_one_of_several = announced != announced_.end() && announced->second > 1;
+  if (!is_one_of_several && taken_.insert(base).second) return base;
+  int& number = next_number_.try_emplace(base, is_one_of_several ? 0 : 1).first->second;
   std::string name;
   do {
-    name = fmt::format("{} ({})", base, ++number);
+    name = fmt::format("{}[{}]", base, number++);
   } while (!taken_.insert(name).second);
   return name;
 }

@@ -12,14 +12,17 @@ namespace solitaire {
 /// "wall_col (1)".
 std::string harmless_name(std::string_view wanted);
 
-/// Hands out harmless names, each one once: "chair", "chair (2)", "chair (3)".
+/// Hands out harmless names, each one once: "chair[0]", "chair[1]" where several were announced, and else
+/// "chair", "chair[1]".
 class UniqueNames {
  public:
+  /// Says beforehand that somebody will ask for this name.
+  void announce(std::string_view wanted);
   std::string take(std::string_view wanted);
 
  private:
   std::unordered_set<std::string> taken_;
-  std::unordered_map<std::string, int> last_number_;
+  std::unordered_map<std::string, int> announced_, next_number_;
 };
 
 }  // namespace solitaire

@@ -50,6 +50,8 @@ TEST_CASE("distinct: what comes is what every execution shows, once each") {
       "else q.a;",
       "x = range(0, 5); place(if x > 2 then \"table\" else \"chair\", at: [x / 2, 0], turn: x % 2, color: "
       "\"red\");",
+      "x = range(0, 5); place(\"chair\", material: if x > 2 then \"oak\" else \"steel\", scale: 1 + x % 2, "
+      "price: x);",
       "x = range(0, 3); return x * 0.5 + (if flip() then 0.0 else 0.5);",
       "aux a = range(0, 3); x = range(0, 3); assert(x <= a); return x / 2;",
       "x = range(0, 3); print(x); return x / 2;",

@@ -37,7 +37,7 @@ TEST_CASE("scene: every file has a camera that looks at the scene, and a sun") {
   PlacedThing named_so = placed("", {3, 4, 0}, {2, 2, 2});
   named_so.name = "camera";
   const json file = json_of(glb_bytes(build_scene({named_so}, 1, "test", assets)));
-  const json& camera = node_named(file, "camera (2)");
+  const json& camera = node_named(file, "camera[1]");
   CHECK(camera["camera"] == 0);
   CHECK(file["cameras"][0]["type"] == "perspective");
   const Vec3 ahead = rotated(camera, {0, 0, -1}), up = rotated(camera, {0, 1, 0});
@@ -86,14 +86,14 @@ TEST_CASE("scene: a material gives its colour and finish to the primary surface,
                ["pbrMetallicRoughness"];
   };
   const auto number = [](const json& pbr, const char* name) { return pbr.value(name, 1.0); };  // glTF's own
-  CHECK(number(surface("chair", 0), "metallicFactor") == 1);
-  CHECK(number(surface("chair", 0), "roughnessFactor") == doctest::Approx(0.35));
-  CHECK(number(surface("chair (3)", 0), "metallicFactor") == 0);
-  CHECK(surface("chair", 1) == surface("chair (3)", 1));  // the seat stays
+  CHECK(number(surface("chair[0]", 0), "metallicFactor") == 1);
+  CHECK(number(surface("chair[0]", 0), "roughnessFactor") == doctest::Approx(0.35));
+  CHECK(number(surface("chair[2]", 0), "metallicFactor") == 0);
+  CHECK(surface("chair[0]", 1) == surface("chair[2]", 1));  // the seat stays
   CHECK(number(surface("box", 0), "roughnessFactor") == doctest::Approx(0.95));
-  CHECK(surface("chair (2)", 0)["baseColorFactor"] == json{1.0, 0.0, 0.0, 1.0});
-  CHECK(number(surface("chair (2)", 0), "metallicFactor") == 1);
-  CHECK(node_named(file, "chair")["extras"]["material"] == "steel");
+  CHECK(surface("chair[1]", 0)["baseColorFactor"] == json{1.0, 0.0, 0.0, 1.0});
+  CHECK(number(surface("chair[1]", 0), "metallicFactor") == 1);
+  CHECK(node_named(file, "chair[0]")["extras"]["material"] == "steel");
 
   for (const char* wrong : {"\"stel\"", "5", "null", "[\"oak\"]"}) {
     const std::string error = error_of([&] {

@@ -138,7 +138,29 @@ TEST_CASE("picture: things cast shadows on what they stand on, darkest where the
   CHECK(std::abs(far) <= 1);
 }
 
-TEST_CASE("picture: the walls towards the camera are cut low, with their windows and without their doors") {
+TEST_CASE("picture: a box of glass lets the sun through, and a model that is painted over does not") {
+  const auto on_slab = [](PlacedThing thing, const char* material) {
+    if (material != nullptr) thing.extras.emplace_back("material", material);
+    return scene_of({colored(placed("", {0, 0, 0}, {6, 6, 0.1}), {0.8, 0.8, 0.8}), thing});
+  };
+  const PlacedThing box = placed("", {2, 2, 0.1}, {2, 2, 1.5});
+  const PictureSize size{160, 120};
+  const Camera camera = default_camera(on_slab(box, nullptr), 160.0 / 120);
+  const auto [x, y] = seen_at(camera, {0.9, 0.1, -3});  // where the box's shadow falls
+  const auto column = static_cast<std::size_t>((x + 1) / 2 * 160),
+             row = static_cast<std::size_t>((1 - y) / 2 * 120);
+  const auto light = [&](const Scene& scene) {
+    return static_cast<int>(Painter().draw(scene, size, camera).image.pixel(column, row)[1]);
+  };
+  const int open = light(scene_of({colored(placed("", {0, 0, 0}, {6, 6, 0.1}), {0.8, 0.8, 0.8})}));
+  CHECK(light(on_slab(box, nullptr)) < open - 40);
+  CHECK(light(on_slab(box, "\"glass\"")) == open);
+  CHECK(light(on_slab(box, "\"oak\"")) < open - 40);
+}
+
+TEST_CASE(
+    "picture: the walls towards the camera are cut low, with their doors and windows and what is tall at "
+    "them") {
   std::vector<PlacedThing> things = room();
   things.push_back(placed("window", {1, -0.15, 0.9}, {1.2, 0.2}));      // in the front wall
   things.push_back(placed("window", {1, 3.95, 0.9}, {1.2, 0.2}));       // in the back wall
@@ -152,9 +174,9 @@ TEST_CASE("picture: the walls towards the camera are cut low, with their windows
   for (std::size_t i = 0; i < cut.size(); ++i) {
     if (!cut[i]) continue;
     low.insert(i);
-    CHECK(*cut[i] < 0.5);
+    CHECK(*cut[i] == (i == 9 ? 0.8 : 0.3));
   }
-  CHECK(low == std::set<std::size_t>{2, 4, 6, 10});
+  CHECK(low == std::set<std::size_t>{2, 4, 6, 8, 9, 10});
 
   const Picture picture = Painter().draw(scene_of(room()), kSmall);
   const auto pixels = pixels_of_objects(picture);

@@ -103,8 +103,8 @@ TEST_CASE("scene: the tree is the call tree, in the program's order") {
   };
   CHECK(children("office") == std::vector<std::string>{"wing[0]", "wing[1]"});
   CHECK(children("wing[0]") == std::vector<std::string>{"room[0]"});
-  CHECK(children("room[0]") == std::vector<std::string>{"table", "chair (2)"});
-  CHECK(children("room[0] (2)") == std::vector<std::string>{"chair"});
+  CHECK(children("room[0]") == std::vector<std::string>{"table", "chair[1]"});
+  CHECK(children("room[0][1]") == std::vector<std::string>{"chair[0]"});
 }
 
 TEST_CASE("scene: nodes share an asset's mesh, and colours share its geometry") {
@@ -172,10 +172,14 @@ TEST_CASE("scene: names are unique and start none of Godot's import rules") {
   CHECK(harmless_name("tab\tnul\x01 bad\xff") == "tab nul  bad\uFFFD");
   UniqueNames names;
   CHECK(names.take("a") == "a");
-  CHECK(names.take("a (2)") == "a (2)");
-  CHECK(names.take("a") == "a (3)");
+  CHECK(names.take("a[1]") == "a[1]");
+  CHECK(names.take("a") == "a[2]");
+  names.announce("seat");
+  names.announce("seat");
+  CHECK(names.take("seat") == "seat[0]");
+  CHECK(names.take("seat") == "seat[1]");
   CHECK(names.take("x-rigid") == "x-rigid (1)");
-  CHECK(names.take("x-rigid") == "x-rigid (1) (2)");
+  CHECK(names.take("x-rigid") == "x-rigid (1)[1]");
 }
 
 TEST_CASE("scene: extras tell address, source, choices and the program's own arguments") {

@@ -85,11 +85,11 @@ TEST_CASE("scene: a wall with an opening is written as blocks, in the wall's mat
   const auto triangles = [&](const std::string& node) {
     return file["accessors"][primitive(node)["indices"].get<std::size_t>()]["count"].get<int>() / 3;
   };
-  CHECK(triangles("wall") == 36);  // three blocks
-  CHECK(triangles("wall (2)") == 12);
-  CHECK(triangles("wall (3)") == 36);
-  CHECK(primitive("wall")["material"] == primitive("wall (2)")["material"]);
-  CHECK(primitive("wall")["material"] != primitive("wall (3)")["material"]);
+  CHECK(triangles("wall[0]") == 36);  // three blocks
+  CHECK(triangles("wall[1]") == 12);
+  CHECK(triangles("wall[2]") == 36);
+  CHECK(primitive("wall[0]")["material"] == primitive("wall[1]")["material"]);
+  CHECK(primitive("wall[0]")["material"] != primitive("wall[2]")["material"]);
 }
 
 }  // namespace solitaire

@@ -80,9 +80,14 @@ bool is_sayable(const Value& value) {
   return !value.is_function();
 }
 
-std::span<const Value> look_arguments(const SymbolicPlacement& placement) {
+std::vector<Value> look_arguments(const SymbolicPlacement& placement) {
   const std::span<const Value> all = placement.arguments;
-  return all.first(std::min(all.size(), kLookArguments));
+  const std::span<const Value> first = all.first(std::min(all.size(), kLookArguments));
+  std::vector<Value> looks(first.begin(), first.end());
+  for (const auto& [name, value] : placement.extras) {
+    if (is_look(name)) looks.push_back(value);
+  }
+  return looks;
 }
 
 bool says_what_is_seen(const SymbolicPass& pass, Apart apart) {
@@ -98,7 +103,9 @@ bool chooses_names(const SymbolicPass& pass) {
     std::vector<NodeId> nodes;
     const std::span<const Value> all = placement.arguments;
     for (const Value& value : all.subspan(std::min(all.size(), kLookArguments))) collect_nodes(value, nodes);
-    for (const auto& [name, value] : placement.extras) collect_nodes(value, nodes);
+    for (const auto& [name, value] : placement.extras) {
+      if (!is_look(name)) collect_nodes(value, nodes);
+    }
     return !nodes.empty();
   });
 }

@@ -1,5 +1,4 @@
 #pragma once
-#include <span>
 #include <vector>
 
 #include "engines/solution.h"
@@ -11,7 +10,7 @@ namespace solitaire {
 /// Returns true if all of the value is in its text.
 bool is_sayable(const Value& value);
 /// The arguments of a call of place() that decide what the thing looks like.
-std::span<const Value> look_arguments(const SymbolicPlacement& placement);
+std::vector<Value> look_arguments(const SymbolicPlacement& placement);
 
 /// Returns true if the nodes of a pass say what tells solutions apart there.
 bool says_what_is_seen(const SymbolicPass& pass, Apart apart);

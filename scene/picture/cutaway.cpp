@@ -10,6 +10,9 @@ namespace solitaire {
 namespace {
 
 constexpr double kCutHeight = 0.3;     // metres that are left of a wall
+constexpr double kTableHeight = 0.8;   // metres that are left of what stands at a wall that is cut
+constexpr double kTallest = 1.2;       // metres, of what stands there whole
+constexpr double kAtWall = 0.15;       // metres between a wall and what stands at it
 constexpr double kLowestWall = 1.0;    // metres; what is lower hides little
 constexpr double kThickestWall = 0.6;  // metres, of plain boxes
 constexpr double kOverlap = 0.25;      // metres of a thing that a wall may hide or stand on
@@ -62,6 +65,16 @@ bool is_within(const Vec3& point, const Box3& box) {
          point[2] < box.high[2];
 }
 
+/// Returns true for what stands on the same floor as the wall, at one of its sides, and is tall.
+bool towers_at(const Box3& thing, const Box3& wall) {
+  if (thing.low[2] > wall.low[2] + kCutHeight || thing.high[2] - wall.low[2] < kTallest) return false;
+  const std::size_t across = wall.high[0] - wall.low[0] < wall.high[1] - wall.low[1] ? 0 : 1;
+  const std::size_t along = 1 - across;
+  const double gap = std::max(wall.low[across] - thing.high[across], thing.low[across] - wall.high[across]);
+  const double middle = (thing.low[along] + thing.high[along]) / 2;
+  return gap < kAtWall && wall.low[along] < middle && middle < wall.high[along];
+}
+
 /// Finds the walls to cut, and what is cut with them.
 class Cutaway {
  public:
@@ -77,9 +90,13 @@ class Cutaway {
     sort_others();
     for (const Wall& wall : walls_) {
       if (!hides_something(wall.box)) continue;
-      const double height = wall.box.low[2] + kCutHeight;
-      heights[wall.object] = height;
-      for (const std::size_t fixture : wall.fixtures) heights[fixture] = height;
+      const double foot = wall.box.low[2];
+      heights[wall.object] = foot + kCutHeight;
+      for (const std::size_t fixture : wall.fixtures) heights[fixture] = foot + kCutHeight;
+      for (const std::size_t other : others_) {
+        if (!heights[other] && towers_at(bounds(scene_.objects[other].box), wall.box))
+          heights[other] = foot + kTableHeight;
+      }
     }
     return heights;
   }
@@ -91,7 +108,7 @@ class Cutaway {
     std::vector<std::size_t> fixtures;  // the objects in it that go with it
   };
 
-  /// Tells what is in a wall from what a wall may hide. Doors are neither: one wants to see them.
+  /// Tells what is in a wall from what a wall may hide.
   void sort_others() {
     std::size_t next_wall = 0;
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
@@ -105,7 +122,8 @@ class Cutaway {
       });
       if (around == walls_.end()) {
         hidden_.push_back(core(object.box));
-      } else if (!says(object, "door")) {
+        others_.push_back(i);
+      } else {
         around->fixtures.push_back(i);
       }
     }
@@ -121,8 +139,9 @@ class Cutaway {
 
   const Scene& scene_;
   Vec3 to_camera_;
-  std::vector<Wall> walls_;   // in the order of their objects
-  std::vector<Box3> hidden_;  // the cores of what a wall may hide
+  std::vector<Wall> walls_;          // in the order of their objects
+  std::vector<Box3> hidden_;         // the cores of what a wall may hide
+  std::vector<std::size_t> others_;  // the objects that they are of
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scene/openings.h"
+#include "scene/picture/cutaway.h"
 
 namespace solitaire {
 namespace {
@@ -75,9 +76,29 @@ void RayScene::add(TracedShapes& shapes, const SceneObject& object, std::optiona
   const std::vector<Box3> parts = solid_parts(object.asset ? object.asset->box : unit_box(), object.openings);
   const TracedShape* shape = &shapes.of(object.asset);
   if (!object.openings.empty()) shape = &own(shapes.prepare(blocks(parts, shape->shape.finishes.front())));
+  shape = &with_clearness(shapes, *shape, object.paint);
   if (!cut) return attach(shapes.device(), *shape, map, object.paint);
-  Shape below = cut_below(shape->shape, parts, map, *cut - middle_[1]);
+  const bool is_solid = is_like_wall(object);  // one looks into anything else where it is cut
+  Shape below = cut_below(shape->shape, is_solid ? parts : std::vector<Box3>{}, map, *cut - middle_[1]);
   attach(shapes.device(), own(shapes.prepare(std::move(below))), Affine{}, object.paint);
+}
+
+/// A paint that one looks through, or that covers what one did, decides which triangles cast shadows: such
+/// a shape is prepared anew, once for each paint.
+const TracedShape& RayScene::with_clearness(TracedShapes& shapes, const TracedShape& shape,
+                                            const std::optional<Paint>& paint) {
+  if (!paint || !paint->finish) return shape;
+  const auto [place, is_new] = clear_.try_emplace({&shape.shape, *paint}, &shape);
+  if (!is_new) return *place->second;
+  Shape painted = shape.shape;
+  bool differs = false;
+  for (Finish& finish : painted.finishes) {
+    if (!finish.is_primary && !paint->tints) continue;
+    differs = differs || (finish.opacity < 1) != (paint->finish->opacity < 1);
+    finish.opacity = static_cast<float>(paint->finish->opacity);
+  }
+  if (differs) place->second = &own(shapes.prepare(std::move(painted)));
+  return *place->second;
 }
 
 const TracedShape& RayScene::own(TracedShape shape) {

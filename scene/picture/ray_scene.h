@@ -56,6 +56,8 @@ class RayScene {
   const std::vector<Finish>& finishes(const Shape& shape, const std::optional<Paint>& paint);
   void add(TracedShapes& shapes, const SceneObject& object, std::optional<double> cut);
   const TracedShape& own(TracedShape shape);
+  const TracedShape& with_clearness(TracedShapes& shapes, const TracedShape& shape,
+                                    const std::optional<Paint>& paint);
   void attach(RTCDevice device, const TracedShape& shape, const Affine& map,
               const std::optional<Paint>& paint);
   Hit hit_of(const Ray& ray, const RTCRayHit& found) const;
@@ -66,6 +68,7 @@ class RayScene {
   std::vector<Object> objects_;
   std::vector<std::unique_ptr<TracedShape>> own_shapes_;  // of objects that are cut or opened
   std::map<std::pair<const Shape*, Paint>, std::vector<Finish>> painted_;
+  std::map<std::pair<const Shape*, Paint>, const TracedShape*> clear_;
   Embree<RTCScene> scene_;
 };
 

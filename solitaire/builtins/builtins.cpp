@@ -348,10 +348,17 @@ Value place(Evaluator& evaluator, Call call) {
   return Value::nil();
 }
 
+Value length_of_unit(Evaluator& evaluator, Span span) {
+  const auto metres = evaluator.effects().unit();
+  if (!metres) evaluator.unsupported(span, "choices decide how long a unit is here");
+  return Value(*metres);
+}
+
 Value unit(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
+  if (!given(call.arguments[0])) return length_of_unit(evaluator, span);
   const char* message = "a unit is a positive number of metres";
-  if (evaluator.guarded() || !is_known(call.arguments[0])) evaluator.effects().needs_execution();
+  if (evaluator.guarded() || !is_known(call.arguments[0])) evaluator.effects().unit_is_open();
   return evaluator.each_shape(call.arguments[0], [&](const Value& metres) {
     if (!metres.is_number()) evaluator.program_error(span, message);
     evaluator.program_error_if(evaluator.compare(BinaryOp::kLessEqual, metres, std::int64_t{0}, span), span,
@@ -410,7 +417,7 @@ std::vector<Builtin> make_table() {
       {"format", {"text"}, 1, kVariadic, false, false, format_text},
       {"print", {}, 0, kVariadic, false, false, print},
       {"place", {"asset", "at", "size", "turn", "angle", "color", "name"}, 0, false, kExtras, false, place},
-      {"unit", {"metres"}, 1, false, false, false, unit},
+      {"unit", {"metres"}, 0, false, false, false, unit},
       {"size_of", {"asset", "unit"}, 1, false, false, false, size_of},
       {"has_front", {"asset"}, 1, false, false, false, has_front},
   };

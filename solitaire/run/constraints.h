@@ -81,6 +81,8 @@ class Constraints::Apart : public Effects {
     outer_.placement(std::move(placement), call);
   }
   void unit(double metres) override { outer_.unit(metres); }
+  void unit_is_open() override { outer_.unit_is_open(); }
+  std::optional<double> unit() const override { return outer_.unit(); }
   void print(std::span<const Value> arguments) override { outer_.print(arguments); }
   void needs_execution() override { outer_.needs_execution(); }
   void followed(const Value& condition, Span span) override { outer_.followed(condition, span); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
@@ -36,7 +37,12 @@ class Effects {
   virtual void factor(Span span, const Value& log_weight) = 0;
   /// A call of place(). `placement` is of no use where arguments depend on choices that are left open.
   virtual void placement(Placement placement, const BuiltinCall& call) = 0;
+  /// The length of a unit from here on, in metres.
   virtual void unit(double metres) = 0;
+  /// Choices decide about the length of a unit from here on; only an execution shows it.
+  virtual void unit_is_open() { needs_execution(); }
+  /// Returns the length of a unit here, nothing where choices decide about it.
+  virtual std::optional<double> unit() const = 0;
   virtual void print(std::span<const Value> arguments) = 0;
   /// Only an execution shows what happens here.
   virtual void needs_execution() {}

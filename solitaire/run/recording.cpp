@@ -159,6 +159,16 @@ bool SymbolicEffects::wish(AddressId address, Span span, const Value& cost) {
   return true;
 }
 
+void SymbolicEffects::unit_is_open() {
+  pass_.unit_is_open = true;
+  needs_execution();
+}
+
+std::optional<double> SymbolicEffects::unit() const {
+  if (pass_.unit_is_open) return std::nullopt;
+  return pass_.unit;
+}
+
 void SymbolicEffects::placement(Placement placement, const BuiltinCall& call) {
   TracePlaced placed{path_.guard(), placement.id, placement.span, {}, pass_.placements.size()};
   for (const Value& value : call.arguments) collect_nodes(value, placed.depends);

@@ -17,6 +17,7 @@ class ExecutionEffects : public Effects {
   void factor(Span span, const Value& log_weight) override;
   void placement(Placement placement, const BuiltinCall& call) override;
   void unit(double metres) override { execution_.unit = metres; }
+  std::optional<double> unit() const override { return execution_.unit; }
   void print(std::span<const Value> arguments) override;
   void followed(const Value&, Span) override {}
   void blocked(const BranchSide&, Span) override {}
@@ -71,6 +72,8 @@ class SymbolicEffects : public Effects {
   void factor(Span, const Value&) override {}  // which such a pass refuses before it comes to this
   void placement(Placement placement, const BuiltinCall& call) override;
   void unit(double metres) override { pass_.unit = metres; }
+  void unit_is_open() override;
+  std::optional<double> unit() const override;
   void print(std::span<const Value>) override {}
   void needs_execution() override { pass_.complete = false; }
   void followed(const Value&, Span) override {}

@@ -27,6 +27,7 @@ struct SymbolicPass {
   std::vector<Value> lists;                   // that were chosen from, as numbered by Trace::choices
   std::vector<CallRecord> calls;              // on the way to placements
   double unit = 1;                            // metres in one unit of the program
+  bool unit_is_open = false;                  // choices decide about it
   /// False if some of what an execution does shows only when it is run.
   bool complete = true;
   bool has_output = false;  // the program has an output, of which the pass says nothing

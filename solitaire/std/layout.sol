@@ -149,17 +149,24 @@ fun show(o) { place(o.kind, at: [o.x, o.y], size: [o.w, o.d], turn: o.turn); }
 
 fun show_all(things) { for o in things: show(o); }
 
+// Walls are as thick as in a house, 12 cm, if nothing else is said, and frames of doors stand out by 12 mm.
+fun wall_thickness() { return 0.12 / unit(); }
+fun frame_depth() { return 0.012 / unit(); }
+
 // A door or window that is flush to a wall of r, moved into the wall behind it, which it opens. It is a little thicker than
 // the wall.
-fun show_in_wall(o, r, thickness = 0.5) {
-  out = thickness + 0.05;
-  x = cond(o.turn == 1, r.x - out, cond(o.turn == 3, x2(r) - 0.05, o.x));
-  y = cond(o.turn == 2, r.y - out, cond(o.turn == 0, y2(r) - 0.05, o.y));
-  place(o.kind, at: [x, y], size: [o.w, thickness + 0.1], turn: o.turn);
+fun show_in_wall(o, r, thickness = nil) {
+  if thickness == nil then thickness = wall_thickness();
+  frame = frame_depth();
+  out = thickness + frame;
+  x = cond(o.turn == 1, r.x - out, cond(o.turn == 3, x2(r) - frame, o.x));
+  y = cond(o.turn == 2, r.y - out, cond(o.turn == 0, y2(r) - frame, o.y));
+  place(o.kind, at: [x, y], size: [o.w, out + frame], turn: o.turn);
 }
 
 // A floor and four walls around r; the walls stand outside of it. Without a height they are as high as in a house.
-fun show_room(r, thickness = 0.5, height = nil) {
+fun show_room(r, thickness = nil, height = nil) {
+  if thickness == nil then thickness = wall_thickness();
   place("floor", at: [r.x, r.y], size: [width(r), depth(r)], name: "floor");
   long = width(r) + 2 * thickness;
   show_wall([r.x - thickness, y2(r)], long, thickness, height, 0, "back wall");

@@ -49,7 +49,8 @@ fun fills(rooms, site) {
 // ---- showing; in the output, where it costs the solver nothing
 
 // The floors of the rooms, and a wall on each line where one of them ends.
-fun show_rooms(rooms, thickness = 0.2, height = nil, material = "plaster") {
+fun show_rooms(rooms, thickness = nil, height = nil, material = "plaster") {
+  if thickness == nil then thickness = wall_thickness();
   for r in rooms: place("floor", at: [r.x, r.y], size: [width(r), depth(r)], name: "floor");
   lying = [[y, x] for r in rooms for y in [y1(r), y2(r)] for x in x1(r)..x2(r) - 1];
   standing = [[x, y] for r in rooms for x in [x1(r), x2(r)] for y in y1(r)..y2(r) - 1];
@@ -79,8 +80,9 @@ fun runs(pieces) {
 }
 
 // A door or window, which opens the wall that it stands in.
-fun show_opening(o, thickness = 0.2) {
-  out = thickness / 2.0 + 0.05;
+fun show_opening(o, thickness = nil) {
+  if thickness == nil then thickness = wall_thickness();
+  out = thickness / 2.0 + frame_depth();
   place(o.kind, at: if o.upwards then [o.x - out, o.y] else [o.x, o.y - out], size: [o.w, 2 * out],
         turn: if o.upwards then 1 else 0);
 }

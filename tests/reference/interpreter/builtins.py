@@ -302,9 +302,12 @@ def print_line(run, call):
 
 
 def unit(run, call):
-    metres = call.given["metres"]
+    metres = call.given.get("metres")
+    if metres is None:
+        return run.unit
     if not is_number(metres) or not 0 < metres < math.inf:
         raise ProgramError(call.place, "a unit is a positive number of metres")
+    run.unit = float(metres)
 
 
 def model_facts(call):
@@ -423,7 +426,7 @@ BUILTINS = {
         builtin("str", "value", join_texts, variadic=True),
         builtin("format", "text", format_text, variadic=True),
         builtin("print", "", print_line, variadic=True),
-        builtin("unit", "metres", unit),
+        builtin("unit", "metres", unit, required=0),
         builtin("size_of", "asset unit", size_of, required=1),
         builtin("has_front", "asset", has_front),
         builtin("place", "asset at size turn angle color name", place, required=0, extras=True),

@@ -73,6 +73,7 @@ class Execution:
         self.value = None
         self.choices = {}
         self.printed = []
+        self.unit = 1.0
         self.placed = []
         self.cost = None
         self.output_place = None  # of the output, once it runs
