@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solitaire/value/joined.h"
 #include "tracegraph/density.h"
 
 namespace solitaire {
@@ -192,7 +193,7 @@ void Evaluator::wish(const Value& cost, const CallExpr& site) {
 
 void Evaluator::check_message(const Value& message, Span span) {
   each_alternative(message, [&](const Value& one) {
-    if (one.object<String>() == nullptr && !one.is<Joined>()) {
+    if (!is_one_string(one)) {
       program_error(span, fmt::format("the message of an assert is a string, not {}", describe(one)),
                     one.has_type(Type::kBool) ? "for two conditions, write assert(a and b)" : "");
     }

@@ -171,7 +171,7 @@ Value Operators::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, 
     step(span, items.size());
     return make_list(std::move(items), span);
   }
-  if (op == BinaryOp::kAdd && a.is<String>() && b.is<String>())
+  if (op == BinaryOp::kAdd && is_one_string(a) && is_one_string(b))
     return is_text(a) && is_text(b) ? joined(a, b, span) : opaque_string(span);
   std::string help;
   if (a.object<String>() != nullptr || b.object<String>() != nullptr)
@@ -310,7 +310,7 @@ Value Operators::equal_shaped(const Value& a, const Value& b, Span span) {
     const Record* other = b.object<Record>();
     return record->type == other->type ? equal_members(record->fields, other->fields, span) : Value(false);
   }
-  if (a.object<String>() != nullptr && b.object<String>() != nullptr) {
+  if (is_one_string(a) && is_one_string(b)) {
     check_known(a);
     check_known(b);
   }
@@ -408,8 +408,9 @@ Value Operators::opaque_string(Span span) {
 }
 
 void Operators::check_known(const Value& text) {
-  if (const auto& opaque = text.object<String>()->opaque) {
-    unsupported(*opaque, "this text depends on choices, and the program looks at what it says",
+  const String* string = text.object<String>();
+  if (string != nullptr && string->opaque) {
+    unsupported(*string->opaque, "this text depends on choices, and the program looks at what it says",
                 "look at the values that it is made of");
   }
 }

@@ -107,6 +107,8 @@ bool spell(Graph& graph, const Value& text, const Strings& before, std::size_t m
 
 }  // namespace
 
+bool is_one_string(const Value& value) { return value.is<String>() || value.is<Joined>(); }
+
 bool is_text(const Value& value) {
   if (const String* text = value.object<String>()) return !text->opaque;
   if (value.is<Joined>()) return true;

@@ -7,6 +7,9 @@
 
 namespace solitaire {
 
+/// Returns true for a string that is no union: a known one, one of parts, or one that only executions know.
+bool is_one_string(const Value& value);
+
 /// Returns true for a string, of choices or not, whose alternatives and parts are known.
 bool is_text(const Value& value);
 
