@@ -133,6 +133,18 @@ void Evaluator::require_between(const Value& variable, const Value& lo, const Va
   require(int_operation(Op::kLeInt, variable, hi, span), ConstraintKind::kHighEnd, span, nullptr, address);
 }
 
+/// All values that a choice of a traced execution can have in executions that take the same path: its ends
+/// and its step may be others there.
+Distribution Evaluator::of_path(const Distribution& domain, const Value& lo, const Value& hi,
+                                const Value& step) {
+  Distribution widest = domain;
+  widest.lo = graph_->node(node_of(*graph_, lo)).interval.lo;
+  if (lo.traced() || step.traced()) widest.step = 1;
+  const std::int64_t last = graph_->node(node_of(*graph_, hi)).interval.hi;
+  widest.hi = std::max(widest.lo, last - (last - widest.lo) % widest.step);
+  return widest;
+}
+
 /// A choice that may be left open, or whose range depends on choices. Where the first value or the step
 /// depends on choices, so does which values there are: then the domain is all ints between the ends, and
 /// those that the steps miss are ruled out.
@@ -140,7 +152,7 @@ Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Valu
                              const Value& step, const Prior& prior) {
   const auto* known_step = lo.is<std::int64_t>() ? step.get<std::int64_t>() : nullptr;
   Distribution domain = prior.distribution;
-  if (forks_) domain.weights.clear();  // which do not say what is possible
+  if (forks_) domain.weights = {};  // which do not say what is possible
   domain.step = known_step != nullptr ? *known_step : 1;
   const bool fixed = lo.is<std::int64_t>() && hi.is<std::int64_t>();
   if (fixed) {
@@ -163,7 +175,8 @@ Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Valu
   Value variable;
   if (answer) {
     variable = answer->as_int();
-    if (!forks_) variable = variable.with_node(*graph_, graph_->choice({address, domain}));
+    if (!forks_)
+      variable = variable.with_node(*graph_, graph_->choice({address, of_path(domain, lo, hi, step)}));
   } else {
     variable = value_of(*graph_, graph_->choice({address, possible}));
   }

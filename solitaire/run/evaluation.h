@@ -53,6 +53,7 @@ class Evaluator : public Structures {
   void check_may_choose(const CallExpr& site);
   Value decide_open(const CallExpr& site, AddressId address, const Value& lo, const Value& hi,
                     const Value& step, const Prior& prior);
+  Distribution of_path(const Distribution& domain, const Value& lo, const Value& hi, const Value& step);
   std::vector<NodeId> parameter_nodes(const Prior& prior, std::initializer_list<Value> ends);
   std::vector<NodeId> nodes_of_numbers(std::span<const Value> numbers);
   TypedScalar answered(AddressId address, const Distribution& domain);
