@@ -12,6 +12,9 @@ namespace {
 /// steps.
 constexpr std::uint64_t kRescoreEvery = std::uint64_t{1} << 20;
 
+/// To compile a slice takes as long as some hundred runs of it.
+constexpr std::uint32_t kCompiledAfter = 300;
+
 /// A bool is an int of 0 or 1.
 double number(Scalar value, Type type) {
   return type == Type::kFloat ? value.f : static_cast<double>(value.i);
@@ -19,7 +22,8 @@ double number(Scalar value, Type type) {
 
 }  // namespace
 
-Kernel::Kernel(ScoreProgram program) : program_(std::move(program)), slices_(slices_of(program_)) {
+Kernel::Kernel(ScoreProgram program)
+    : program_(std::move(program)), slices_(slices_of(program_)), compiled_(slices_.size()) {
   std::size_t longest = 0;
   for (const Slice& slice : slices_) longest = std::max(longest, slice.changes.size());
   cells_ = program_.cells;
@@ -51,11 +55,20 @@ Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
   proposed_ = choice;
   proposed_bits_ = bits_of(value);
   cells_[program_.cells.size()] = value;
-  return outcome_ = score_slice(slices_[choice]);
+  return outcome_ = score_slice(choice);
 }
 
-Kernel::Outcome Kernel::score_slice(const Slice& slice) {
-  const bool made = run(slice.code, cells_.data());
+/// Both machines give the same, so it does not matter when the faster one takes over.
+bool Kernel::run_slice(ChoiceNumber choice) {
+  Compiled& compiled = compiled_[choice];
+  if (compiled.code != nullptr) return compiled.code(cells_.data());
+  if (++compiled.runs == kCompiledAfter) compiled.code = compiler_.compile(slices_[choice].code);
+  return run(slices_[choice].code, cells_.data());
+}
+
+Kernel::Outcome Kernel::score_slice(ChoiceNumber choice) {
+  const Slice& slice = slices_[choice];
+  const bool made = run_slice(choice);
   const auto holds = [&](Cell cell) { return cells_[cell].i != 0; };
   if (!made || !std::all_of(slice.assumed.begin(), slice.assumed.end(), holds)) return Outcome::kLeavesTrace;
   if (!std::all_of(slice.required.begin(), slice.required.end(), holds)) return Outcome::kImpossible;
@@ -77,13 +90,12 @@ Scalar Kernel::value(ChoiceNumber choice) const {
   return at.cell == kNoCell ? at.only_value : cells_[at.cell];
 }
 
-Distribution Kernel::distribution(ChoiceNumber choice) const {
+Distribution Kernel::domain(ChoiceNumber choice) const {
   const ScoreProgram::Choice& at = program_.choices[choice];
-  Distribution made = at.distribution;
+  Distribution made{at.distribution.lo, at.distribution.hi, at.distribution.step, at.distribution.family};
   const auto parameter = [&](std::size_t i) { return cells_[at.parameters[i]]; };
-  if (!made.weights.empty()) {
-    for (std::size_t i = 0; i < made.weights.size(); ++i) made.weights[i] = parameter(i).f;
-  } else if (made.family == Distribution::Family::kRange || made.family == Distribution::Family::kIndex) {
+  if (!at.distribution.weights.empty()) return made;
+  if (made.family == Distribution::Family::kRange || made.family == Distribution::Family::kIndex) {
     made.lo = parameter(0).i;
     made.step = parameter(2).i;
     made.hi = parameter(1).i - (parameter(1).i - made.lo) % made.step;
@@ -91,6 +103,16 @@ Distribution Kernel::distribution(ChoiceNumber choice) const {
     made.a = parameter(0).f;
     if (at.parameters.size() > 1) made.b = parameter(1).f;
   }
+  return made;
+}
+
+Distribution Kernel::distribution(ChoiceNumber choice) const {
+  Distribution made = domain(choice);
+  const ScoreProgram::Choice& at = program_.choices[choice];
+  if (at.distribution.weights.empty()) return made;
+  std::vector<double> weights;
+  for (const Cell parameter : at.parameters) weights.push_back(cells_[parameter].f);
+  made.weights = Weights(std::move(weights));
   return made;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/compiler.h"
 #include "kernel/score_program.h"
 #include "kernel/slice.h"
 
@@ -43,16 +44,27 @@ class Kernel {
   Scalar value(ChoiceNumber choice) const;
   /// The choice's distribution with the present values of its parameters.
   Distribution distribution(ChoiceNumber choice) const;
+  /// The same without weights, which is all that its values follow from, and takes less time.
+  Distribution domain(ChoiceNumber choice) const;
   /// The values of the program's outputs under the present choices.
   std::vector<double> outputs();
 
  private:
   Outcome score_all();
+  Outcome score_slice(ChoiceNumber choice);
+  bool run_slice(ChoiceNumber choice);
 
   ScoreProgram program_;
+  /// The code of a slice as a machine runs it, once it is worth being compiled.
+  struct Compiled {
+    Compiler::Code code = nullptr;
+    std::uint32_t runs = 0;
+  };
+
   std::vector<Slice> slices_;
-  std::vector<Scalar> cells_;  // the program's, and behind them room for the longest slice
-  Outcome score_slice(const Slice& slice);
+  Compiler compiler_;
+  std::vector<Compiled> compiled_;  // one for each slice
+  std::vector<Scalar> cells_;       // the program's, and behind them room for the longest slice
 
   ChoiceNumber proposed_ = 0;
   std::optional<std::int64_t>

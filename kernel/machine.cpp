@@ -3,34 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/helpers.h"
 #include "tracegraph/special_functions.h"
 
 namespace solitaire {
 namespace {
 
-constexpr double kFloorLimit = 9007199254740992.0;  // 2^53
-
-std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
-  if (b == 0) return 0;
-  return a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0);
-}
-
-std::int64_t floor_modulo(std::int64_t a, std::int64_t b) {
-  if (b == 0) return 0;
-  const std::int64_t rest = a % b;
-  return (rest != 0 && (a < 0) != (b < 0)) ? rest + b : rest;
-}
-
 /// Where a guard that does not hold keeps a result from being looked at, it may be past 62 bits.
 std::int64_t wrapping(std::uint64_t value) { return static_cast<std::int64_t>(value); }
 std::uint64_t bits(std::int64_t value) { return static_cast<std::uint64_t>(value); }
-
-bool floor_into(double value, Scalar& result) {
-  const double floor = std::floor(value);
-  const bool exact = std::abs(floor) <= kFloorLimit;
-  result.i = exact ? static_cast<std::int64_t>(floor) : 0;
-  return exact;
-}
 
 }  // namespace
 
@@ -103,7 +84,7 @@ bool run(std::span<const Instruction> code, Scalar* cells) {
         r.f = static_cast<double>(a.i);
         break;
       case Op::kFloor:
-        made = floor_into(a.f, r) && made;
+        made = floor_into(a.f, &r) && made;
         break;
       case Op::kAddFloat:
         r.f = a.f + b.f;

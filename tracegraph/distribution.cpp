@@ -24,7 +24,7 @@ double log_beta(double a, double b) { return log_gamma(a) + log_gamma(b) - log_g
 
 Distribution Distribution::weighted(std::vector<double> weights) {
   Distribution made = index(static_cast<std::int64_t>(weights.size()));
-  made.weights = std::move(weights);
+  made.weights = Weights(std::move(weights));
   return made;
 }
 
@@ -67,7 +67,7 @@ TypedScalar Distribution::sample(RandomStream& stream) const {
       return TypedScalar::of(value(stream.below(size())));
     case Family::kIndex:
       if (weights.empty()) return TypedScalar::of(value(stream.below(size())));
-      return TypedScalar::of(static_cast<std::int64_t>(draw_index(weights, sum(weights), stream)));
+      return TypedScalar::of(static_cast<std::int64_t>(draw_index(weights.list(), sum(weights.list()), stream)));
     case Family::kFlip:
       return TypedScalar::of(stream.uniform() < a);
     case Family::kUniform:
@@ -98,7 +98,7 @@ double Distribution::log_density(TypedScalar value) const {
       return -std::log(static_cast<double>(size()));
     case Family::kIndex:
       if (weights.empty()) return -std::log(static_cast<double>(size()));
-      return std::log(weights[static_cast<std::size_t>(value.as_int())] / sum(weights));
+      return std::log(weights[static_cast<std::size_t>(value.as_int())] / sum(weights.list()));
     case Family::kFlip:
       return std::log(value.as_int() != 0 ? a : 1 - a);
     case Family::kUniform:

@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "tracegraph/interval.h"
 #include "tracegraph/scalar.h"
+#include "tracegraph/weights.h"
 
 namespace solitaire {
 
@@ -36,7 +37,7 @@ struct Distribution {
   Family family = Family::kRange;
   double a = 0;
   double b = 0;
-  std::vector<double> weights = {};  // of kIndex: one for each position, or none
+  Weights weights = {};  // of kIndex: one for each position, or none
 
   /// lo <= hi, step >= 1; hi need not be on a step.
   static Distribution range(std::int64_t lo, std::int64_t hi, std::int64_t step = 1) {

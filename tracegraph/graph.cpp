@@ -23,7 +23,8 @@ std::size_t Graph::VariableHash::operator()(const ChoiceVariable& variable) cons
   for (const std::int64_t each : {domain.lo, domain.hi, domain.step})
     hash = mix(hash, static_cast<std::uint64_t>(each));
   for (const double each : {domain.a, domain.b}) hash = mix(hash, std::hash<double>{}(each));
-  for (const double each : domain.weights) hash = mix(hash, std::hash<double>{}(each));
+  for (std::size_t i = 0; i < domain.weights.size(); ++i)
+    hash = mix(hash, std::hash<double>{}(domain.weights[i]));
   return hash;
 }
 

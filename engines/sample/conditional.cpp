@@ -1,9 +1,11 @@
 #include "engines/sample/conditional.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+#include <span>
 
+#include "engines/tuning.h"
 #include "tracegraph/drawing.h"
 
 namespace solitaire {
@@ -28,7 +30,7 @@ double prior_width(const Distribution& distribution) {
 /// The score is d(c + x) = g x + h x^2 / 2, so g and h follow from two differences.
 std::optional<Scalar> draw_normal_form(Kernel& kernel, ChoiceNumber choice, RandomStream& stream) {
   const double c = kernel.value(choice).f;
-  const double s = prior_width(kernel.distribution(choice));
+  const double s = prior_width(kernel.domain(choice));
   const double up = score_at(kernel, choice, c + s);
   const double down = score_at(kernel, choice, c - s);
   const double slope = (up - down) / (2 * s);
@@ -86,11 +88,12 @@ std::optional<Scalar> draw_of_form(Kernel& kernel, ChoiceNumber choice, Form for
 
 Scalar draw_of_few(Kernel& kernel, ChoiceNumber choice, const Distribution& distribution,
                    RandomStream& stream) {
-  std::vector<double> scores;
+  std::array<double, tuning::kMostValuesCompared> room;
+  const std::span<double> scores(room.data(), distribution.size());
   for (std::uint64_t i = 0; i < distribution.size(); ++i) {
     const Scalar value = Scalar::of(distribution.value(i));
     const bool present = value.i == kernel.value(choice).i;
-    scores.push_back(present ? 0 : score_at(kernel, choice, value));
+    scores[i] = present ? 0 : score_at(kernel, choice, value);
   }
   const double best = *std::max_element(scores.begin(), scores.end());
   double sum = 0;

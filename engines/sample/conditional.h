@@ -14,7 +14,8 @@ namespace solitaire {
 /// how the score differs at a few other values.
 std::optional<Scalar> draw_of_form(Kernel& kernel, ChoiceNumber choice, Form form, RandomStream& stream);
 
-/// The same of a choice with few values, by comparing all of them. `distribution` is finite.
+/// The same of a choice with few values, by comparing all of them. `distribution` is finite, and has
+/// at most kMostValuesCompared values; its weights are not looked at.
 Scalar draw_of_few(Kernel& kernel, ChoiceNumber choice, const Distribution& distribution,
                    RandomStream& stream);
 

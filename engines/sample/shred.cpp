@@ -62,7 +62,7 @@ bool ShredChain::step_by_form(ChoiceNumber choice) {
   if (at.cell == kNoCell) return true;  // has one value alone
   if (at.distribution.is_finite()) {
     if (!kernel.slice(choice).assumed.empty()) return false;
-    const Distribution distribution = kernel.distribution(choice);
+    const Distribution distribution = kernel.domain(choice);
     if (distribution.size() > tuning::kMostValuesCompared) return false;
     change(choice, draw_of_few(kernel, choice, distribution, stream_));
     return true;

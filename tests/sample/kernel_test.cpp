@@ -8,6 +8,7 @@
 #include "engines/sample/conditional.h"
 #include "engines/sample/rerun.h"
 #include "engines/sample/traced_structure.h"
+#include "kernel/compiler.h"
 #include "kernel/forms.h"
 #include "kernel/machine.h"
 #include "solitaire/value/plain_copy.h"
@@ -179,6 +180,65 @@ TEST_CASE("forms: values drawn from them have the moments of the exact posterior
   CHECK(p_sd == doctest::Approx(0.2).epsilon(0.02));
 }
 
+/// Code, and the machine code that was made of it.
+class BothMachines {
+ public:
+  explicit BothMachines(std::span<const Instruction> code)
+      : code_(code.begin(), code.end()), compiled_(compiler_.compile(code_)) {
+    CHECK((compiled_ != nullptr) == Compiler::available());
+  }
+
+  /// Runs both on copies of the cells and compares all cells.
+  void check(std::span<const Scalar> cells) const {
+    if (compiled_ == nullptr) return;
+    std::vector<Scalar> interpreted(cells.begin(), cells.end()), found = interpreted;
+    bool same = run(code_, interpreted.data()) == compiled_(found.data());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const bool both_nan = std::isnan(found[i].f) && std::isnan(interpreted[i].f);
+      same = same && (both_nan || found[i].i == interpreted[i].i);
+    }
+    CHECK(same);
+  }
+
+ private:
+  std::vector<Instruction> code_;
+  Compiler compiler_;
+  Compiler::Code compiled_;
+};
+
+/// Code in which each instruction may read what any before it made, and cells with numbers to start from.
+TEST_CASE("compiler: random code gives the same bits as the machine that interprets it") {
+  RandomStream stream(5, Purpose::kSample, 3);
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Scalar> cells;
+    std::vector<Type> types;
+    for (int i = 0; i < 6; ++i) {
+      cells.push_back(Scalar::of(4 * stream.uniform() - 2));
+      cells.push_back(Scalar::of(static_cast<std::int64_t>(stream.below(9)) - 4));
+      cells.push_back(Scalar::of(static_cast<std::int64_t>(stream.below(2))));
+      types.insert(types.end(), {Type::kFloat, Type::kInt, Type::kBool});
+    }
+    const auto some = [&](Type type) {
+      for (;;) {
+        const std::size_t cell = stream.below(types.size());
+        if (types[cell] == type) return static_cast<Cell>(cell);
+      }
+    };
+    std::vector<Instruction> code;
+    while (code.size() < 150) {
+      const Operation& row = kOperations[stream.below(kOperations.size())];
+      if (row.fold == nullptr || row.arity == 0) continue;
+      Instruction step{row.op, static_cast<Cell>(cells.size()), {}};
+      for (std::size_t k = 0; k < row.arity; ++k)
+        step.operands[k] = some(row.arity == 3 && k == 0 ? Type::kBool : row.operand);
+      cells.push_back({});
+      types.push_back(row.result);
+      code.push_back(step);
+    }
+    BothMachines(code).check(cells);
+  }
+}
+
 TEST_CASE("machine: every operation gives what it means on constants") {
   const double floats[] = {-2.5, -1, 0, 0.5, 1, 3, 1e10};
   const std::int64_t ints[] = {-7, -1, 0, 1, 2, 9};
@@ -189,6 +249,8 @@ TEST_CASE("machine: every operation gives what it means on constants") {
   for (const Operation& row : kOperations) {
     if (row.fold == nullptr) continue;
     INFO(row.name);
+    const Instruction step{row.op, 3, {0, 1, 2}};
+    const BothMachines both({&step, 1});
     for (std::size_t i = 0; i < 42; ++i) {
       for (std::size_t j = 0; j < 42; ++j) {
         const bool selects = row.arity == 3;
@@ -197,7 +259,7 @@ TEST_CASE("machine: every operation gives what it means on constants") {
                            value(row.operand, i / 2),
                            {}};
         const auto folded = row.fold(cells);
-        const Instruction step{row.op, 3, {0, 1, 2}};
+        both.check(cells);
         const bool made = run({&step, 1}, cells);
         if (!folded) continue;
         CHECK(made);
