@@ -1,80 +1,208 @@
 #!/usr/bin/env python3
-"""Steps and effective draws per second of `solitaire sample`, beside hand-written C++.
+"""Steps and effective draws per second of `solitaire sample`, beside programs written by hand, WebPPL and JAGS.
 
-    python3 bench/sampling/compare.py build/app/solitaire build/bench/sampling_twins
+    python3 bench/sampling/compare.py build/app/solitaire build/bench/sampling_twins [MODEL...]
 
-Runs each model with both engines, one chain, in turns, and takes the best of three runs. Prints a table in Markdown. The
-hand-written programs are in bench/sampling/twins.cpp; "rescoring" computes the whole density for each step, "incremental" only
-what changes.
+Each model is measured in rounds, in which everything runs once, one after the other; of five rounds the best counts. So a
+disturbance of the machine meets all alike. Prints a table in Markdown, a row when its model is done.
+
+- Solitaire: one chain of each engine. Its seconds contain everything: reading the program, the warm-up, the summary.
+- By hand: bench/sampling/twins/, in C++; "rescoring" computes the whole density for each step, "incremental" what changes.
+- WebPPL (`npm install webppl@0.9.15` in bench/sampling/webppl): steps of its kernel MH, of the models in that folder.
+- JAGS (the command `jags`): the models of bench/sampling/jags/, with effective draws by the same estimate as Solitaire's.
+
+What is not installed is left out.
 """
 
 import json
+import math
+import re
+import shutil
 import subprocess
 import sys
+import tempfile
+import time
 from pathlib import Path
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "sampling"
-# How many draws each engine makes: so many that a run takes about a second.
+HERE = Path(__file__).resolve().parent
+EXAMPLES = HERE.parents[1] / "examples" / "sampling"
+ROUNDS = 5
+TWIN_SECONDS = 0.3
+# How many draws shred and lightweight make, and how many steps WebPPL: a second's work, or less.
 MODELS = {
-    "ising": (4000, 40),
-    "regression": (20000, 400),
-    "rats": (2000, 10),
-    "mixture": (20000, 200),
-    "infinite_mixture": (10000, 100),
-    "lda": (400, 4),
-    "hdp": (2000, 60),
-    "citations": (10000, 200),
-    "sum_or_product": (20000, 4000),
-    "polynomial": (8000, 800),
+    "ising": (20000, 40, 5000),
+    "regression": (100000, 400, 5000),
+    "rats": (10000, 10, 3000),
+    "mixture": (50000, 200, 10000),
+    "infinite_mixture": (30000, 100, 0),
+    "lda": (2000, 4, 1000),
+    "hdp": (20000, 60, 0),
+    "citations": (50000, 200, 0),
+    "sum_or_product": (100000, 4000, 30000),
+    "polynomial": (50000, 800, 20000),
 }
-ROUNDS = 3
+JAGS_DRAWS = {"regression": 100000, "rats": 10000, "lda": 2000}
+JAGS_MONITORED = {"regression": ["intercept", "slope"], "rats": ["alpha_c", "beta_c", "tau"], "lda": ["high_share", "low_share"]}
 
 
-def sample(program, model, engine, draws, seed):
+def data_of(model):
+    """The lists of numbers that the example's text has, by name."""
+    text = (EXAMPLES / f"{model}.sol").read_text()
+    text = re.sub(r"//.*", "", text)
+    found = re.findall(r"^(\w+) = (\[[-\d.,\s\[\]]*\]);", text, re.MULTILINE)
+    return {name: json.loads(numbers) for name, numbers in found}
+
+
+# ---- Solitaire and programs written by hand
+
+
+def solitaire(program, model, engine, draws, seed):
     command = [program, "sample", EXAMPLES / f"{model}.sol", "--engine", engine, "--chains", "1", "--jobs", "1"]
     command += ["-n", str(draws), "--warmup", str(draws // 4), "--seed", str(seed), "--json", "-q"]
-    run = subprocess.run(command, capture_output=True, text=True, check=True)
-    return json.loads(run.stdout)
-
-
-def least_effective_rate(summary):
-    """The fewest effective draws a second, over the numbers that vary."""
+    summary = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
     sizes = [each["ess_bulk"] for each in summary["parameters"] if each["ess_bulk"] is not None]
     seconds = summary["steps"] / summary["steps_per_second"]
-    return min(sizes, default=0) / seconds
+    return {"steps": summary["steps_per_second"], "ess": min(sizes, default=0) / seconds}
 
 
-def best(summaries):
-    return max(each["steps_per_second"] for each in summaries), max(map(least_effective_rate, summaries))
+def by_hand(program, model, kind, seed):
+    command = [program, str(seed + 1), str(TWIN_SECONDS), f"{model} {kind}"]
+    line = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+    return {"steps": float(line[2])} if line else {}
 
 
-def twin_rates(program):
-    run = subprocess.run([program], capture_output=True, text=True, check=True)
-    rates = {}
-    for line in run.stdout.splitlines():
-        model, kind, rate, _ = line.split()
-        rates[model, kind] = float(rate)
-    return rates
+# ---- WebPPL
 
 
-def rate(number):
-    return f"{number:,.0f}".replace(",", " ") if number >= 10 else f"{number:.1f}"
+def webppl_command():
+    local = HERE / "webppl" / "node_modules" / ".bin" / "webppl"
+    return str(local) if local.exists() else shutil.which("webppl")
+
+
+def webppl(model, steps):
+    text = (HERE / "webppl" / f"{model}.wppl").read_text()
+    data = data_of(model)
+    if model == "regression":
+        points = data["points"]
+        data = {"x": [x for x, _ in points], "y": [y for _, y in points]}
+    program = f"var data = {json.dumps(data)};\n{text}\nvar start = Date.now();\n"
+    program += f"var result = Infer({{method: 'MCMC', kernel: 'MH', samples: {steps}, model: model}});\n"
+    program += "console.log('milliseconds ' + (Date.now() - start));\n"
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "model.wppl"
+        file.write_text(program)
+        run = subprocess.run([webppl_command(), file], capture_output=True, text=True, check=True)
+    return {"steps": steps * 1000 / float(re.search(r"milliseconds (\d+)", run.stdout).group(1))}
+
+
+# ---- JAGS
+
+
+def autocovariance(values, lag):
+    return sum(a * b for a, b in zip(values, values[lag:])) / len(values)
+
+
+def effective_size(values):
+    """By sums of pairs of autocorrelations as long as these are positive and do not grow (Geyer 1992)."""
+    mean = sum(values) / len(values)
+    rest = [each - mean for each in values]
+    variance = autocovariance(rest, 0)
+    total, last, lag = 0.0, math.inf, 0
+    while lag + 1 < len(rest):
+        pair = min(last, (autocovariance(rest, lag) + autocovariance(rest, lag + 1)) / variance)
+        if pair <= 0:
+            break
+        total, last, lag = total + pair, pair, lag + 2
+    return len(values) / max(2 * total - 1, 1 / math.log10(len(values)))
+
+
+def r_dump(name, value):
+    """A list, or a list of lists as a matrix, which R keeps column by column."""
+    if not isinstance(value[0], list):
+        return f"`{name}` <- c({', '.join(map(str, value))})\n"
+    columns = ", ".join(str(row[j]) for j in range(len(value[0])) for row in value)
+    return f"`{name}` <- structure(c({columns}), .Dim = c({len(value)}, {len(value[0])}))\n"
+
+
+def jags_data(model):
+    data = data_of(model)
+    if model == "regression":
+        return {"x": [x for x, _ in data["points"]], "y": [y for _, y in data["points"]]}
+    if model == "rats":
+        return {"y": data["weights"]}
+    return {"words": [[word + 1 for word in row] for row in data["documents"]], "ones": [1] * 4, "two": [1] * 2}
+
+
+def jags(model, seed):
+    draws = JAGS_DRAWS[model]
+    with tempfile.TemporaryDirectory() as folder:
+        work = Path(folder)
+        (work / "data.R").write_text("".join(r_dump(*each) for each in jags_data(model).items()))
+        (work / "start.R").write_text(f'".RNG.name" <- "base::Mersenne-Twister"\n".RNG.seed" <- {seed + 1}\n')
+        script = [f'model in "{HERE / "jags" / model}.bug"', 'data in "data.R"', "compile", 'parameters in "start.R"']
+        script += ["initialize", f"update {draws // 4}"] + [f"monitor {name}" for name in JAGS_MONITORED[model]]
+        script += [f"update {draws}", "coda *", "exit"]
+        (work / "run.cmd").write_text("\n".join(script) + "\n")
+        start = time.perf_counter()
+        subprocess.run(["jags", "run.cmd"], cwd=work, capture_output=True, check=True)
+        seconds = time.perf_counter() - start
+        values = [float(line.split()[1]) for line in (work / "CODAchain1.txt").read_text().splitlines()]
+    monitored = [values[i : i + draws] for i in range(0, len(values), draws)]
+    return {"ess": min(map(effective_size, monitored)) / seconds}
+
+
+# ---- the table
+
+
+def runners(program, twins, model):
+    many, few, webppl_steps = MODELS[model]
+    found = {
+        "shred": lambda seed: solitaire(program, model, "shred", many, seed),
+        "lightweight": lambda seed: solitaire(program, model, "lightweight", few, seed),
+        "incremental": lambda seed: by_hand(twins, model, "incremental", seed),
+        "rescoring": lambda seed: by_hand(twins, model, "rescoring", seed),
+    }
+    if webppl_command() and webppl_steps:
+        found["webppl"] = lambda seed: webppl(model, webppl_steps)
+    if shutil.which("jags") and model in JAGS_DRAWS:
+        found["jags"] = lambda seed: jags(model, seed)
+    return found
+
+
+def best_of_rounds(runs):
+    best = {}
+    for seed in range(ROUNDS):
+        for name, run in runs.items():
+            for what, rate in run(seed).items():
+                best[name, what] = max(rate, best.get((name, what), 0))
+    return best
+
+
+COLUMNS = {
+    "shred, steps/s": ("shred", "steps"),
+    "lightweight": ("lightweight", "steps"),
+    "C++ incremental": ("incremental", "steps"),
+    "C++ rescoring": ("rescoring", "steps"),
+    "WebPPL MH": ("webppl", "steps"),
+    "shred, ESS/s": ("shred", "ess"),
+    "lightweight, ESS/s": ("lightweight", "ess"),
+    "JAGS, ESS/s": ("jags", "ess"),
+}
+
+
+def shown(rate):
+    if rate is None:
+        return ""
+    return f"{rate:,.0f}".replace(",", " ") if rate >= 10 else f"{rate:.1f}"
 
 
 def main():
-    program, twins = sys.argv[1], twin_rates(sys.argv[2])
-    print("| model | shred, steps/s | lightweight, steps/s | shred, ESS/s | lightweight, ESS/s | C++ rescoring | C++ incremental |")
-    print("| --- | --- | --- | --- | --- | --- | --- |")
-    for model, (many, few) in MODELS.items():
-        runs = {"shred": [], "lightweight": []}
-        for seed in range(ROUNDS):
-            runs["shred"].append(sample(program, model, "shred", many, seed))
-            runs["lightweight"].append(sample(program, model, "lightweight", few, seed))
-        fast, slow = best(runs["shred"]), best(runs["lightweight"])
-        by_hand = [twins.get((model, kind)) for kind in ("rescoring", "incremental")]
-        cells = [rate(fast[0]), rate(slow[0]), rate(fast[1]), rate(slow[1])]
-        cells += ["" if each is None else rate(each) for each in by_hand]
-        print(f"| {model} | " + " | ".join(cells) + " |", flush=True)
+    program, twins, models = sys.argv[1], sys.argv[2], sys.argv[3:] or list(MODELS)
+    print("| model | " + " | ".join(COLUMNS) + " |")
+    print("| --- " * (len(COLUMNS) + 1) + "|")
+    for model in models:
+        best = best_of_rounds(runners(program, twins, model))
+        print(f"| {model} | " + " | ".join(shown(best.get(key)) for key in COLUMNS.values()) + " |", flush=True)
 
 
 if __name__ == "__main__":
