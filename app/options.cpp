@@ -270,8 +270,16 @@ void add_sample_options(CLI::App& command, Options& options) {
                                               {"shred", SampleOptions::Engine::kShred},
                                               {"lightweight", SampleOptions::Engine::kLightweight}})
                       .description("shred|lightweight"));
-  command.add_option("--draws", options.draws_file, "write the draws as a table, a row each")
+  command.add_option("--draws", options.draws_file, "write the draws: a table, or lines of JSON (.jsonl)")
       ->type_name("FILE.csv");
+  command
+      .add_option(
+          "--stream", options.stream,
+          "print each draw as it comes, as a line of JSON or a row of a table; the summary goes to standard "
+          "error")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, DrawFormat>{{"jsonl", DrawFormat::kJsonLines},
+                                                                            {"csv", DrawFormat::kCsv}})
+                      .description("jsonl|csv"));
   command.add_option("--report", options.report_file, "write a page with pictures of the draws")
       ->type_name("FILE.html");
   sampling.jobs = std::max(1U, std::thread::hardware_concurrency());

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/draw_printer.h"
+
 namespace CLI {
 class App;
 }
@@ -53,6 +55,7 @@ struct Options {
   CountOptions counting;
   SampleOptions sampling;
   std::optional<std::filesystem::path> draws_file;
+  std::optional<DrawFormat> stream;  // of the draws, on standard output
   std::optional<std::filesystem::path> report_file;
   std::shared_ptr<TilesOptions> tiles;  // of the subcommand tiles
 };

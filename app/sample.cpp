@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <functional>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -40,14 +43,32 @@ ExitStatus sample_command(const Options& options, Watchdog& watchdog) {
   // Chains look at the limit after each step, so the watchdog, which would lose their draws, looks at none.
   const Watchdog::AtLimit at_limit(
       watchdog, [&] { return report_limit(options); }, StopToken());
-  const SampleSummary summary = sampler.run([&](std::uint64_t done, std::uint64_t all) {
-    if (done % 64 == 0) progress.update(fmt::format("{} of {} draws", done, all));
-  });
+  std::optional<DrawPrinter> printer;
+  std::function<void(const SampledDraw&)> kept;
+  if (options.stream) {
+    printer.emplace(*options.stream);
+    kept = [&](const SampledDraw& draw) { printer->print(draw); };
+  }
+  const SampleSummary summary = sampler.run(
+      [&](std::uint64_t done, std::uint64_t all) {
+        if (done % 64 == 0) progress.update(fmt::format("{} of {} draws", done, all));
+      },
+      kept);
   const auto lock = watchdog.delivering();
   progress.end();
   if (options.draws_file) sampler.write_draws(*options.draws_file);
   if (options.report_file) sampler.write_report(*options.report_file, summary);
-  print_result(options.json ? to_json(summary) + "\n" : to_text(summary));
+  const std::string text = options.json ? to_json(summary) + "\n" : to_text(summary);
+  if (!printer) {
+    print_result(text);
+  } else if (!options.quiet) {
+    tell(text);
+  }
+  if (printer && !printer->left_out().empty()) {
+    tell(fmt::format(
+        "warning: not all draws have the same numbers; the table lacks {} (--stream jsonl has all)\n",
+        fmt::join(printer->left_out(), ", ")));
+  }
   if (!options.quiet) tell(account(summary));
   if (!asked.stop.stopped()) return watchdog.conclude(kDelivered);
   if (!options.quiet) tell(limit_text(options) + "\n");

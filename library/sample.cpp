@@ -8,6 +8,7 @@
 #include "engines/sample/diagnostics.h"
 #include "engines/sample/sampling.h"
 #include "engines/tuning.h"
+#include "library/draw_order.h"
 #include "library/program_state.h"
 #include "library/sample_report.h"
 #include "library/stop_access.h"
@@ -127,13 +128,6 @@ void add_warnings(SampleSummary& summary, const std::vector<std::string>& partia
     warn("no step was accepted: every draw of a chain is the one that it started from");
 }
 
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\n") == std::string::npos) return name;
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
-}
-
 }  // namespace
 
 class Sampler::State {
@@ -143,10 +137,11 @@ class Sampler::State {
       throw Error(Error::Kind::kUsage, "draws, chains and thin are whole numbers from 1");
   }
 
-  SampleSummary run(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+  SampleSummary run(const std::function<void(std::uint64_t, std::uint64_t)>& progress,
+                    const std::function<void(const SampledDraw&)>& kept) {
     return translated(program_.state().program.sources, [&] {
       const auto start = std::chrono::steady_clock::now();
-      draw(progress);
+      draw(progress, kept);
       SampleSummary summary = summary_of_draws();
       summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       if (summary.seconds > 0)
@@ -156,7 +151,8 @@ class Sampler::State {
   }
 
   void write_draws(const std::filesystem::path& path) const {
-    translated(program_.state().program.sources, [&] { write_file_atomically(path, draws_text()); });
+    translated(program_.state().program.sources,
+               [&] { write_file_atomically(path, draws_text(path.extension() == ".jsonl")); });
   }
 
   void write_report(const std::filesystem::path& path, const SampleSummary& summary) const {
@@ -170,7 +166,8 @@ class Sampler::State {
   }
 
  private:
-  void draw(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+  void draw(const std::function<void(std::uint64_t, std::uint64_t)>& progress,
+            const std::function<void(const SampledDraw&)>& kept) {
     const SamplingOptions sampling = sampling_of(options_);
     std::vector<ParamValues> params;  // of each chain its own
     for (std::uint64_t i = 0; i < options_.chains; ++i)
@@ -179,10 +176,18 @@ class Sampler::State {
     for (const ParamValues& own : params) programs.push_back({&program_.state().program, &own});
     const std::uint64_t all = options_.chains * (sampling.draws + sampling.warmup);
     std::atomic<std::uint64_t> done = 0;
-    chains_ = run_chains(programs, sampling, options_.jobs, [&] {
+    DrawListener listener{[&] {
       const std::uint64_t now = ++done;
       if (progress) progress(now, all);
-    });
+    }};
+    DrawOrder order(options_.chains, kept);
+    if (kept) {
+      listener.kept = [&](std::size_t chain, const auto& names, const auto& numbers) {
+        order.add(chain, names, numbers);
+      };
+      listener.ended = [&](std::size_t chain) { order.end(chain); };
+    }
+    chains_ = run_chains(programs, sampling, options_.jobs, listener);
   }
 
   SampleSummary summary_of_draws() const {
@@ -219,23 +224,31 @@ class Sampler::State {
     }
   }
 
-  std::string draws_text() const {
+  /// Calls with each draw, in the order of chains and of draws, each with all the names that there are.
+  template <class Call>
+  void each_draw(const std::vector<std::string>& names, Call call) const {
+    SampledDraw draw;
+    draw.names = names;
+    draw.numbers.resize(names.size());
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      std::vector<std::vector<double>> columns;
+      for (const std::string& name : names) columns.push_back(chains_[c].draws.column(name));
+      for (std::size_t row = 0; row < chains_[c].draws.rows(); ++row) {
+        draw.chain = c + 1;
+        draw.draw = row + 1;
+        for (std::size_t i = 0; i < names.size(); ++i) draw.numbers[i] = columns[i][row];
+        call(draw);
+      }
+    }
+  }
+
+  std::string draws_text(bool as_lines) const {
     std::vector<const DrawTable*> tables;
     for (const ChainResult& chain : chains_) tables.push_back(&chain.draws);
     const std::vector<std::string> names = names_of(tables);
-    std::string text = "chain,draw";
-    for (const std::string& name : names) text += "," + quoted(name);
-    text += "\n";
-    for (std::size_t c = 0; c < tables.size(); ++c) {
-      std::vector<std::vector<double>> columns;
-      for (const std::string& name : names) columns.push_back(tables[c]->column(name));
-      for (std::size_t row = 0; row < tables[c]->rows(); ++row) {
-        text += fmt::format("{},{}", c + 1, row + 1);
-        for (const auto& column : columns)
-          text += std::isnan(column[row]) ? std::string(",") : fmt::format(",{}", column[row]);
-        text += "\n";
-      }
-    }
+    std::string text = as_lines ? "" : csv_names(names) + "\n";
+    each_draw(names,
+              [&](const SampledDraw& draw) { text += (as_lines ? to_json(draw) : to_csv(draw)) + "\n"; });
     return text;
   }
 
@@ -247,8 +260,9 @@ class Sampler::State {
 Sampler::Sampler(const Program& program, const SampleOptions& options)
     : state_(std::make_unique<State>(program, options)) {}
 Sampler::~Sampler() = default;
-SampleSummary Sampler::run(const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
-  return state_->run(progress);
+SampleSummary Sampler::run(const std::function<void(std::uint64_t, std::uint64_t)>& progress,
+                           const std::function<void(const SampledDraw&)>& kept) {
+  return state_->run(progress, kept);
 }
 void Sampler::write_report(const std::filesystem::path& path, const SampleSummary& summary) const {
   state_->write_report(path, summary);

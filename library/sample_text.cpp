@@ -50,6 +50,37 @@ std::string to_text(const SampleSummary& summary) {
   return text;
 }
 
+namespace {
+
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\n") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + "\"";
+}
+
+}  // namespace
+
+std::string csv_names(const std::vector<std::string>& names) {
+  std::string text = "chain,draw";
+  for (const std::string& name : names) text += "," + quoted(name);
+  return text;
+}
+
+std::string to_csv(const SampledDraw& draw) {
+  std::string text = fmt::format("{},{}", draw.chain, draw.draw);
+  for (const double each : draw.numbers)
+    text += std::isnan(each) ? std::string(",") : fmt::format(",{}", each);
+  return text;
+}
+
+std::string to_json(const SampledDraw& draw) {
+  Json values = Json::object();
+  for (std::size_t i = 0; i < draw.names.size(); ++i)
+    if (!std::isnan(draw.numbers[i])) values[draw.names[i]] = draw.numbers[i];
+  return json_text({{"chain", draw.chain}, {"draw", draw.draw}, {"values", values}});
+}
+
 std::string to_json(const SampleSummary& summary) {
   Json parameters = Json::array();
   for (const SampledNumber& each : summary.parameters) {

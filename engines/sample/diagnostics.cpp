@@ -14,6 +14,9 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// Halves of chains that are shorter tell nothing.
 constexpr std::size_t kLeastDraws = 4;
+/// Of longer halves, so many blocks and so many single draws are looked at: their number, and not that of the
+/// draws, says how exact the estimates of effective sizes are, and ranks among them are exact enough.
+constexpr std::size_t kMostCompared = 8192;
 
 double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -44,29 +47,34 @@ ChainDraws split(const ChainDraws& chains) {
   return halves;
 }
 
+/// Every so many of the draws.
+ChainDraws every(const ChainDraws& chains, std::size_t stride) {
+  ChainDraws kept(chains.size());
+  for (std::size_t c = 0; c < chains.size(); ++c)
+    for (std::size_t i = 0; i < chains[c].size(); i += stride) kept[c].push_back(chains[c][i]);
+  return kept;
+}
+
 /// Numbers in the place of values: those of a normal distribution with the same ranks, where equal values
 /// share a rank (Blom 1958).
-ChainDraws rank_normalized(const ChainDraws& chains) {
-  const std::vector<double> all = joined(chains);
-  std::vector<std::size_t> order(all.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return all[a] < all[b]; });
-  std::vector<double> normal(all.size());
-  for (std::size_t begin = 0; begin < order.size();) {
-    std::size_t end = begin;
-    while (end < order.size() && all[order[end]] == all[order[begin]]) ++end;
-    const double rank = 0.5 * static_cast<double>(begin + 1 + end);
-    const double share = (rank - 0.375) / (static_cast<double>(all.size()) + 0.25);
-    for (; begin < end; ++begin) normal[order[begin]] = normal_quantile(share);
+class NormalScores {
+ public:
+  /// The ranks are those among these values.
+  explicit NormalScores(const ChainDraws& chains) : sorted_(joined(chains)) {
+    std::sort(sorted_.begin(), sorted_.end());
+    const auto size = static_cast<double>(sorted_.size());
+    for (std::size_t twice = 0; twice <= 2 * sorted_.size(); ++twice)
+      scores_.push_back(normal_quantile((0.5 * static_cast<double>(twice + 1) - 0.375) / (size + 0.25)));
   }
-  ChainDraws result = chains;
-  auto next = normal.begin();
-  for (auto& chain : result) {
-    std::copy_n(next, chain.size(), chain.begin());
-    next += static_cast<std::ptrdiff_t>(chain.size());
+  double operator()(double value) const {
+    const auto [low, high] = std::equal_range(sorted_.begin(), sorted_.end(), value);
+    return scores_[static_cast<std::size_t>((low - sorted_.begin()) + (high - sorted_.begin()))];
   }
-  return result;
-}
+
+ private:
+  std::vector<double> sorted_;
+  std::vector<double> scores_;  // by how many values are less, and how many are not greater, together
+};
 
 template <class Function>
 ChainDraws each(const ChainDraws& chains, Function f) {
@@ -99,7 +107,8 @@ double plain_rhat(const ChainDraws& chains) {
 
 double split_rhat(const ChainDraws& halves, double median) {
   const ChainDraws folded = each(halves, [=](double x) { return std::abs(x - median); });
-  return std::max(plain_rhat(rank_normalized(halves)), plain_rhat(rank_normalized(folded)));
+  return std::max(plain_rhat(each(halves, NormalScores(halves))),
+                  plain_rhat(each(folded, NormalScores(folded))));
 }
 
 /// Means over all chains.
@@ -112,9 +121,28 @@ std::vector<double> mean_autocovariances(const ChainDraws& chains) {
   return means;
 }
 
-double tail_size(const ChainDraws& halves, double low, double high) {
+/// The means of so many draws that follow each other, as many as fit.
+ChainDraws block_means(const ChainDraws& chains, std::size_t length) {
+  ChainDraws means(chains.size());
+  for (std::size_t c = 0; c < chains.size(); ++c)
+    for (std::size_t i = 0; i + length <= chains[c].size(); i += length)
+      means[c].push_back(mean_of(std::span(chains[c]).subspan(i, length)));
+  return means;
+}
+
+/// The effective size of f(draws). It is the ratio of the variance of single draws and of their mean, and
+/// means of blocks have the same mean, which is all that long chains need.
+template <class Function>
+double size_in_blocks(const ChainDraws& halves, std::size_t length, Function f) {
+  const ChainDraws values = each(halves, f);
+  if (length == 1) return effective_size(values);
+  const ChainDraws blocks = block_means(values, length);
+  return effective_size(blocks) * variances(values).total / variances(blocks).total;
+}
+
+double tail_size(const ChainDraws& halves, std::size_t block, double low, double high) {
   const auto below = [&](double limit) {
-    return effective_size(each(halves, [=](double x) { return x <= limit ? 1.0 : 0.0; }));
+    return size_in_blocks(halves, block, [=](double x) { return x <= limit ? 1.0 : 0.0; });
   };
   return std::min(below(low), below(high));
 }
@@ -168,11 +196,13 @@ DrawSummary summarize(const ChainDraws& chains) {
   }
   if (chains.front().size() / 2 < kLeastDraws) return made;
   const ChainDraws halves = split(chains);
-  made.ess_bulk = effective_size(rank_normalized(halves));
-  made.ess_tail = tail_size(halves, made.q5, made.q95);
+  const std::size_t block = (halves.front().size() + kMostCompared - 1) / kMostCompared;
+  const ChainDraws few = every(halves, block);
+  made.ess_bulk = size_in_blocks(halves, block, NormalScores(few));
+  made.ess_tail = tail_size(halves, block, made.q5, made.q95);
   if (std::isnan(made.ess_tail)) made.ess_tail = made.ess_bulk;  // a value that fills the tail
-  made.mcse = made.sd / std::sqrt(effective_size(halves));
-  made.rhat = split_rhat(halves, made.q50);
+  made.mcse = made.sd / std::sqrt(size_in_blocks(halves, block, [](double x) { return x; }));
+  made.rhat = split_rhat(few, made.q50);
   return made;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
 
 #include "base/large_stack.h"
@@ -21,24 +22,28 @@ std::unique_ptr<Chain> make_chain(const ChainProgram& own, const SamplingOptions
 
 /// One chain from its start to its last draw.
 void run_chain(const ChainProgram& own, const SamplingOptions& options, std::size_t number,
-               const std::function<void()>& drawn, ChainResult& result) {
+               const DrawListener& listener, const std::function<bool()>& in_vain, ChainResult& result) {
   const ReturnedNumbers returned(*own.program);
   const std::unique_ptr<Chain> chain = make_chain(own, options, number);
   const auto draw = [&] {
     for (std::uint64_t i = 0; i < options.thin; ++i) {
       if (options.limits.stop != nullptr && options.limits.stop->stopped()) throw Interrupted{};
+      if (in_vain()) throw Interrupted{};
       chain->sweep();
     }
-    drawn();
+    listener.drawn();
   };
   for (std::uint64_t i = 0; i < options.warmup; ++i) draw();
   chain->end_warmup();
+  std::vector<std::string> names;
+  std::vector<double> numbers;
   for (std::uint64_t i = 0; i < options.draws; ++i) {
     draw();
-    std::vector<std::string> names;
-    std::vector<double> numbers;
+    names.clear();
+    numbers.clear();
     chain->read(returned, names, numbers);
     result.draws.add(names, numbers);
+    if (listener.kept) listener.kept(number, names, numbers);
     if (i + 1 == options.draws || (i & (i + 1)) == 0) result.moves = chain->moves();
     result.slowed_by = chain->slowed_by();
   }
@@ -47,10 +52,10 @@ void run_chain(const ChainProgram& own, const SamplingOptions& options, std::siz
 class ChainRuns {
  public:
   ChainRuns(const std::vector<ChainProgram>& programs, const SamplingOptions& options,
-            const std::function<void()>& drawn)
+            const DrawListener& listener)
       : programs_(programs),
         options_(options),
-        drawn_(drawn),
+        listener_(listener),
         results_(programs.size()),
         errors_(programs.size()) {}
 
@@ -58,12 +63,15 @@ class ChainRuns {
   void work() {
     for (std::size_t i = next_++; i < programs_.size(); i = next_++) {
       try {
-        run_chain(programs_[i], options_, i, drawn_, results_[i]);
+        run_chain(
+            programs_[i], options_, i, listener_, [&] { return failed_ < i; }, results_[i]);
       } catch (const Interrupted&) {
         results_[i].stopped = true;
       } catch (...) {
         errors_[i] = std::current_exception();
+        fail(i);
       }
+      if (listener_.ended) listener_.ended(i);
     }
   }
 
@@ -74,10 +82,17 @@ class ChainRuns {
   }
 
  private:
+  /// The error of the chain with the least number is what is thrown: those with larger ones run in vain.
+  void fail(std::size_t chain) {
+    for (std::size_t least = failed_; chain < least;)
+      if (failed_.compare_exchange_weak(least, chain)) return;
+  }
+
   const std::vector<ChainProgram>& programs_;
   const SamplingOptions& options_;
-  const std::function<void()>& drawn_;
+  const DrawListener& listener_;
   std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::size_t> failed_ = SIZE_MAX;
   std::vector<ChainResult> results_;
   std::vector<std::exception_ptr> errors_;
 };
@@ -85,8 +100,8 @@ class ChainRuns {
 }  // namespace
 
 std::vector<ChainResult> run_chains(const std::vector<ChainProgram>& programs, const SamplingOptions& options,
-                                    std::size_t jobs, const std::function<void()>& drawn) {
-  ChainRuns runs(programs, options, drawn);
+                                    std::size_t jobs, const DrawListener& listener) {
+  ChainRuns runs(programs, options, listener);
   {
     std::vector<std::unique_ptr<LargeStackThread>> threads;
     for (std::size_t i = 0; i < std::min(std::max<std::size_t>(jobs, 1), programs.size()); ++i)

@@ -35,10 +35,17 @@ struct ChainResult {
   bool stopped = false;                 // by the limits' stop signal, before all draws were there
 };
 
-/// Runs one chain for each program, each on a thread for it, at most `jobs` at a time. `drawn` is told after
-/// each draw, those of the warm-up included, from any of the threads. What comes depends on neither. Throws
-/// what a chain throws, the first by number, but for Interrupted.
+/// Is told of draws while chains run, from any of their threads.
+struct DrawListener {
+  std::function<void()> drawn;  // after each draw, those of the warm-up included
+  /// The number of a chain, from 0, and the numbers of a draw that is kept, with their names. May be empty.
+  std::function<void(std::size_t, const std::vector<std::string>&, const std::vector<double>&)> kept = {};
+  std::function<void(std::size_t)> ended = {};  // the number of a chain that gives no more. May be empty.
+};
+
+/// Runs one chain for each program, each on a thread for it, at most `jobs` at a time. What comes does not
+/// depend on how many these are. Throws what a chain throws, the first by number, but for Interrupted.
 std::vector<ChainResult> run_chains(const std::vector<ChainProgram>& programs, const SamplingOptions& options,
-                                    std::size_t jobs, const std::function<void()>& drawn);
+                                    std::size_t jobs, const DrawListener& listener);
 
 }  // namespace solitaire

@@ -1,4 +1,5 @@
 // The command `solitaire sample` as its users meet it.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -71,16 +72,55 @@ TEST_CASE("command: draws are the same for any number of jobs, and others for an
   CHECK(lines[40].rfind("4,10,0.", 0) == 0);
 }
 
+TEST_CASE("command: draws are printed as they come, in the order of the table") {
+  const Workplace place;
+  const std::string script = place.file("coin.sol", kCoin);
+  const auto streamed = [&](const std::string& format, const std::string& jobs, const std::string& file) {
+    return run_solitaire({"sample", script, "-n", "12", "--warmup", "5", "--jobs", jobs, "--stream", format,
+                          "--draws", place / file});
+  };
+  const Outcome table = streamed("csv", "4", "draws.csv");
+  REQUIRE(table.status == 0);
+  CHECK(table.out == bytes_of(place / "draws.csv"));
+  CHECK(table.err.find("R-hat") != std::string::npos);
+  const Outcome lines = streamed("jsonl", "1", "draws.jsonl");
+  CHECK(lines.out == bytes_of(place / "draws.jsonl"));
+  const auto all = lines_of(lines.out);
+  REQUIRE(all.size() == 12);
+  const auto fourth = nlohmann::json::parse(all[3]);
+  CHECK(fourth["chain"] == 2);
+  CHECK(fourth["draw"] == 1);
+  const std::string row = lines_of(table.out)[4];
+  CHECK(row.rfind("2,1,", 0) == 0);
+  CHECK(std::stod(row.substr(4)) == fourth["values"]["p"].get<double>());
+}
+
+TEST_CASE("command: a streamed table has the numbers of its first draw, and says what it lacks") {
+  const Workplace place;
+  const std::string script = place.file("list.sol", "n = range(1, 3);\nreturn [i for i in 1..n];\n");
+  const Outcome table =
+      run_solitaire({"sample", script, "-n", "60", "--chains", "1", "--stream", "csv", "--seed", "3"});
+  REQUIRE(table.status == 0);
+  const auto rows = lines_of(table.out);
+  REQUIRE(rows.size() == 61);
+  for (const std::string& row : rows)
+    CHECK(std::count(row.begin(), row.end(), ',') == std::count(rows[0].begin(), rows[0].end(), ','));
+  CHECK((rows[0].find("[2]") != std::string::npos) ==
+        (table.err.find("the table lacks") == std::string::npos));
+}
+
 TEST_CASE("command: an interrupt keeps what was drawn") {
   const Workplace place;
   const fs::path file = place / "draws.csv";
   Command command(solitaire_with({"sample", place.file("coin.sol", kCoin), "-n", "100000000", "--warmup",
-                                  "10", "--thin", "2000", "--json", "--draws", file}));
-  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+                                  "10", "--thin", "2000", "--json", "--stream", "csv", "--draws", file}));
+  const auto has_begun = [&] { return command.output().find('\n') != std::string::npos; };
+  for (int i = 0; i < 600 && !has_begun(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   command.signal(SIGINT);
   const Outcome outcome = command.wait();
   CHECK(outcome.status == 4);
-  const auto json = nlohmann::json::parse(outcome.out);
+  const std::size_t begin = outcome.err.find('{');
+  const auto json = nlohmann::json::parse(outcome.err.substr(begin, outcome.err.find('\n', begin) - begin));
   CHECK(json["draws"].get<int>() > 0);
   CHECK(json["warnings"][0].get<std::string>().find("stopped") == 0);
   CHECK(lines_of(bytes_of(file)).size() == json["draws"].get<std::size_t>() + 1);

@@ -93,5 +93,29 @@ TEST_CASE("normal quantiles undo the distribution function") {
     CHECK(normal_quantile(0.5 * std::erfc(-x / std::sqrt(2.0))) == doctest::Approx(x).epsilon(1e-9));
 }
 
+/// x' = 0.9 x + e, of which 1 in 19 draws counts.
+ChainDraws autoregressive(std::size_t length) {
+  RandomStream stream(3, Purpose::kSample, 9);
+  ChainDraws chains(2);
+  for (auto& chain : chains) {
+    double x = 0;
+    for (std::size_t i = 0; i < length; ++i)
+      chain.push_back(x = 0.9 * x + std::sqrt(0.19) * draw_normal(stream));
+  }
+  return chains;
+}
+
+TEST_CASE(
+    "diagnostics: long chains, of which means of blocks are looked at, have the effective size that theory "
+    "gives") {
+  const DrawSummary found = summarize(autoregressive(200'000));
+  CHECK(found.ess_bulk == doctest::Approx(400'000 / 19.0).epsilon(0.1));
+  CHECK(found.mcse == doctest::Approx(1 / std::sqrt(400'000 / 19.0)).epsilon(0.1));
+  CHECK(found.ess_tail > found.ess_bulk);
+  CHECK(found.rhat == doctest::Approx(1).epsilon(0.002));
+  CHECK(found.sd == doctest::Approx(1).epsilon(0.02));
+  CHECK(found.q5 == doctest::Approx(-1.645).epsilon(0.03));
+}
+
 }  // namespace
 }  // namespace solitaire

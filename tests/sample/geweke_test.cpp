@@ -73,7 +73,7 @@ void check_joint(const char* text, Engine engine, std::uint64_t draws) {
   options.seed = 2;
   options.warmup = 300;
   options.draws = draws;
-  const DrawTable chain = run_chains({{&program, &params}}, options, 1, [] {})[0].draws;
+  const DrawTable chain = run_chains({{&program, &params}}, options, 1, {[] {}})[0].draws;
   const DrawTable prior = independent_draws(program, 3000);
   for (const std::string& name : prior.names()) {
     CAPTURE(name);

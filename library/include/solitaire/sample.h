@@ -27,6 +27,13 @@ struct SampleOptions : Options {
   std::uint64_t jobs = 1;  // chains at work side by side; the draws are the same for any number
 };
 
+/// A draw that is kept: what the program returned in one execution. A number that it does not have is NaN.
+struct SampledDraw {
+  std::uint64_t chain = 1, draw = 1;  // both from 1
+  std::vector<std::string> names;
+  std::vector<double> numbers;  // one for each name
+};
+
 /// What the draws say about one number of the returned value. NaN stands for what they do not tell.
 struct SampledNumber {
   std::string name;
@@ -59,6 +66,13 @@ struct SampleSummary {
 SOLITAIRE_API std::string to_text(const SampleSummary& summary);
 SOLITAIRE_API std::string to_json(const SampleSummary& summary);
 
+/// Returns one line without a newline: {"chain": ..., "draw": ..., "values": {...}}.
+SOLITAIRE_API std::string to_json(const SampledDraw& draw);
+/// Returns a row of a table without a newline, and the row of names that stands above it: chain, draw, and
+/// the numbers. An empty cell is a number that the draw does not have.
+SOLITAIRE_API std::string to_csv(const SampledDraw& draw);
+SOLITAIRE_API std::string csv_names(const std::vector<std::string>& names);
+
 /// Draws executions of a program by how probable they are.
 class SOLITAIRE_API Sampler {
  public:
@@ -70,10 +84,12 @@ class SOLITAIRE_API Sampler {
 
   /// Draws until all draws are there, or a stop comes; then it keeps those that are there. `progress` is told
   /// how many there are, those of the warm-up included, and how many it takes; from any thread. Throws Error:
-  /// kProgram for a mistake that an execution comes to.
-  SampleSummary run(const std::function<void(std::uint64_t, std::uint64_t)>& progress = {});
-  /// Writes the draws as a table, a row each, with the numbers of chain and draw, from 1, in front. An empty
-  /// cell is a number that this draw does not have. Throws Error (kFile).
+  /// kProgram for a mistake that an execution comes to. `kept` gets the draws in the order of chains and, in
+  /// each, of draws, as soon as that order lets them; one at a time, from any thread.
+  SampleSummary run(const std::function<void(std::uint64_t, std::uint64_t)>& progress = {},
+                    const std::function<void(const SampledDraw&)>& kept = {});
+  /// Writes the draws: as JSON lines, each by to_json(), if the file's name ends in ".jsonl", else as a table
+  /// (.csv). Throws Error (kFile).
   void write_draws(const std::filesystem::path& path) const;
   /// Writes a page (.html) with the summary and pictures of the draws. Throws Error (kFile).
   void write_report(const std::filesystem::path& path, const SampleSummary& summary) const;
