@@ -67,7 +67,8 @@ TypedScalar Distribution::sample(RandomStream& stream) const {
       return TypedScalar::of(value(stream.below(size())));
     case Family::kIndex:
       if (weights.empty()) return TypedScalar::of(value(stream.below(size())));
-      return TypedScalar::of(static_cast<std::int64_t>(draw_index(weights.list(), sum(weights.list()), stream)));
+      return TypedScalar::of(
+          static_cast<std::int64_t>(draw_index(weights.list(), sum(weights.list()), stream)));
     case Family::kFlip:
       return TypedScalar::of(stream.uniform() < a);
     case Family::kUniform:
