@@ -3,18 +3,10 @@
 #include <utility>
 
 #include "solitaire/value/plain_copy.h"
+#include "solitaire/value/short_text.h"
 
 namespace solitaire {
 namespace {
-
-/// Returns an element as the language writes it; "" for what is no plain value, or long.
-std::string element_text(const Value& element) {
-  constexpr std::size_t kMost = 60;
-  const bool is_number = element.is_number() || element.has_type(Type::kBool);
-  const String* text = element.object<String>();
-  if (!is_number && (text == nullptr || text->text.size() > kMost)) return "";
-  return to_text(plain(element));
-}
 
 BrokenAssert broken_of(Rejection rejection) {
   return {rejection.span, rejection.whole, std::move(rejection.address), std::move(rejection.message), {}};
@@ -29,8 +21,8 @@ Solution solution_of(Execution execution, const AddressTable& addresses) {
   solution.choices.reserve(execution.choices.size());
   for (const MetChoice& choice : execution.choices)
     (choice.auxiliary ? solution.auxiliary : solution.choices)
-        .push_back({addresses.text(choice.address), choice.domain.family, choice.value,
-                    element_text(choice.element)});
+        .push_back(
+            {addresses.text(choice.address), choice.domain.family, choice.value, short_text(choice.element)});
   solution.placements.reserve(execution.placements.size());
   for (Placement& placement : execution.placements)
     solution.placements.push_back({static_cast<PlacedItem&&>(placement), {}});

@@ -21,8 +21,8 @@ struct ChosenValue {
   std::string address;  // such as "wing[2]/room[0]/make_table/rot"
   Distribution::Family family = Distribution::Family::kRange;
   TypedScalar value;  // of choose(): the position in the list, from 0
-  /// Of choose(): what it chose as the language writes it, if that is short: "oven", 3. It follows from the
-  /// others, and is not known of choices that come from files.
+  /// Of choose(): what it chose as the language writes it, if that is short (short_text.h): "oven", 3. It
+  /// follows from the others, and is not known of choices that come from files.
   std::string element = "";
 
   friend bool operator==(const ChosenValue& a, const ChosenValue& b) {

@@ -78,6 +78,7 @@ solitaire::Diagnostic diagnostic_of(const solitaire::Condition& condition, const
   const std::string address = context.addresses.text(condition.address);
   const bool named = message.find(address) != std::string::npos;
   if (!named && tells_something(address)) diagnostic.notes.push_back("at " + address);
+  if (!condition.turn.empty()) diagnostic.notes.push_back("where " + condition.turn);
   if (!condition.message.empty()) diagnostic.notes.push_back("message: " + condition.message);
   return diagnostic;
 }
@@ -88,14 +89,24 @@ Place place_of(Span span, const SourceSet& sources) {
   return {source.name(), at.line, at.column, quote(span, sources)};
 }
 
-std::string listed(const std::vector<std::int64_t>& values, bool is_bool) {
+std::string listed_elements(const std::vector<std::int64_t>& values,
+                            const std::vector<std::string>& elements) {
+  std::vector<std::string> parts;
+  for (const std::int64_t value : values) parts.push_back(elements[static_cast<std::size_t>(value)]);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Returns "false, true", `"oven", "sink"`, or "1..3, 7".
+std::string listed(const std::vector<std::int64_t>& values, const ReachableValues& choice) {
+  if (!choice.elements.empty()) return listed_elements(values, choice.elements);
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < values.size();) {
     std::size_t last = i;
     while (last + 1 < values.size() && values[last + 1] == values[last] + 1) ++last;
-    const std::string first = value_text(values[i], is_bool);
-    parts.push_back(last > i + 1 && !is_bool ? fmt::format("{}..{}", first, values[last]) : first);
-    i = last > i + 1 && !is_bool ? last + 1 : i + 1;
+    const bool is_stretch = last > i + 1 && !choice.is_bool;
+    const std::string first = value_text(values[i], choice.is_bool);
+    parts.push_back(is_stretch ? fmt::format("{}..{}", first, values[last]) : first);
+    i = is_stretch ? last + 1 : i + 1;
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -113,10 +124,9 @@ std::vector<std::int64_t> missing_values(const solitaire::ReachableValues& choic
 std::string words_of(const solitaire::Condition& condition, const ExplanationContext& context) {
   const std::string choice = context.addresses.text(condition.address);
   if (condition.pin != nullptr) {
-    return fmt::format(
-        "{} is {}{}, by {}", choice, condition.pin->forbidden ? "not " : "",
-        to_text(converted(condition.pin->value, condition.domain->type()).value_or(condition.pin->value)),
-        condition.pin->source);
+    return fmt::format("{} is {}{}, by {}{}", choice, condition.pin->forbidden ? "not " : "",
+                       condition.pinned, condition.pin->source,
+                       condition.possible.empty() ? "" : fmt::format("; it can be {}", condition.possible));
   }
   switch (condition.requirement) {
     case ConstraintKind::kAssert:
@@ -197,13 +207,19 @@ std::vector<Told> alike_as_one(std::vector<Told> told) {
   return fewer;
 }
 
+/// Says which of many turns or calls this is: "x = 3, y = 1", or the address.
+std::string turn_text(const solitaire::Condition& condition, const ExplanationContext& context) {
+  return condition.turn.empty() ? context.addresses.text(condition.address) : condition.turn;
+}
+
 /// Says where members that are told as one stand.
 std::string times_text(const Told& told, const ExplanationContext& context) {
   constexpr std::size_t kNamed = 3;
-  std::string text = fmt::format("{} times, first at ", told.members.size());
-  for (std::size_t i = 0; i < kNamed; ++i)
-    text += fmt::format("{}{}", i == 0 ? "" : ", ", context.addresses.text(told.members[i]->address));
-  return text + ", last at " + context.addresses.text(told.members.back()->address);
+  std::vector<std::string> turns;
+  for (std::size_t i = 0; i < kNamed; ++i) turns.push_back(turn_text(*told.members[i], context));
+  const char* const between = told.members.front()->turn.empty() ? ", " : "; ";
+  return fmt::format("{} times, first at {}{}last at {}", told.members.size(), fmt::join(turns, between),
+                     between, turn_text(*told.members.back(), context));
 }
 
 std::string told_text(const Told& told, const ExplanationContext& context) {
@@ -266,9 +282,9 @@ std::string values_text(const ReachableValues& choice) {
   }
   std::string text;
   if (choice.listed) {
-    text = fmt::format("{}: {}", choice.address, listed(choice.values, choice.is_bool));
+    text = fmt::format("{}: {}", choice.address, listed(choice.values, choice));
     if (choice.complete && !choice.missing.empty())
-      text += fmt::format("; never {}", listed(choice.missing, choice.is_bool));
+      text += fmt::format("; never {}", listed(choice.missing, choice));
   } else {
     text = fmt::format("{}: from {} to {}, of {} to {}", choice.address, choice.values.front(),
                        choice.values.back(), choice.from, choice.to);
@@ -284,8 +300,10 @@ Condition frozen_condition(const solitaire::Condition& condition, const Explanat
                  words_of(condition, context),
                  condition.message,
                  {}};
-  if (const solitaire::Pin* pin = condition.pin)
-    made.pin = Pin{pin->pattern.text(), api::frozen(pin->value), pin->forbidden, pin->source};
+  if (const solitaire::Pin* pin = condition.pin) {
+    made.pin = Pin{pin->pattern.text(), {}, pin->forbidden, pin->source, pin->element};
+    if (pin->value) made.pin->value = api::frozen(*pin->value);
+  }
   return made;
 }
 
@@ -316,6 +334,8 @@ ReachableValues frozen(const solitaire::ReachableValues& choice, const AddressTa
   made.to = choice.domain.hi;
   made.step = choice.domain.step;
   made.is_bool = choice.domain.type() == Type::kBool;
+  const bool all_known = std::ranges::none_of(choice.elements, &std::string::empty);
+  if (all_known) made.elements = choice.elements;
   made.listed = choice.listed;
   made.complete = choice.complete;
   made.pinned = choice.pinned;

@@ -46,9 +46,16 @@ Json value_json(const ChoiceValue& value) {
   return std::visit([](const auto& answer) { return Json(answer); }, value);
 }
 
+/// An element as JSON, if its text is that, else as a string of its text; null if it has none.
+Json element_json(const std::string& text) {
+  if (text.empty()) return nullptr;
+  Json json = Json::parse(text, nullptr, false);
+  return json.is_discarded() ? Json(text) : json;
+}
+
 Json choice_json(const Choice& choice) {
   Json json{{"at", choice.address}, {"value", value_json(choice.value)}};
-  if (!choice.element.empty()) json["element"] = Json::parse(choice.element);
+  if (!choice.element.empty()) json["element"] = element_json(choice.element);
   return json;
 }
 
@@ -64,7 +71,8 @@ Json condition_json(const Condition& condition) {
   if (!condition.message.empty()) json["message"] = condition.message;
   if (condition.pin) {
     json["pin"] = condition.pin->source;
-    json["value"] = value_json(condition.pin->value);
+    json["value"] =
+        condition.pin->value ? value_json(*condition.pin->value) : element_json(condition.pin->element);
   }
   return json;
 }
@@ -87,6 +95,7 @@ Json reachable_json(const ReachableValues& choice) {
             {"to", choice.to},
             {"step", choice.step},
             {"complete", choice.complete}};
+  if (!choice.elements.empty()) json["elements"] = list_of(choice.elements, element_json);
   if (choice.listed) {
     json["values"] = choice.values;
     if (choice.complete) json["never"] = choice.missing;

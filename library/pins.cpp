@@ -23,15 +23,17 @@ std::optional<Number> read_number(const std::string& text) {
   return number;
 }
 
-ChoiceValue parse_value(const std::string& text, const std::string& source) {
+/// Returns the number or bool that a text is, or nothing if it is another text.
+std::optional<ChoiceValue> parse_value(const std::string& text, const std::string& source) {
   if (text == "true" || text == "false") return text == "true";
-  const auto number = read_number<std::int64_t>(text);
-  if (number && is_exact(*number)) return *number;
-  const bool is_int = text.find_first_not_of("+-0123456789") == std::string::npos;
-  const auto real = is_int ? std::nullopt : read_number<double>(text);
-  if (!real || !std::isfinite(*real))
-    refuse(fmt::format("{}: '{}' is no value of a choice; it is a number, true or false", source, text));
-  return *real;
+  if (const auto number = read_number<std::int64_t>(text); number && is_exact(*number)) return *number;
+  const bool is_int = !text.empty() && text.find_first_not_of("+-0123456789") == std::string::npos;
+  if (is_int || text.empty())
+    refuse(fmt::format("{}: '{}' is no value of a choice", source, text) +
+           (is_int ? ", whose ints have 62 bits" : "; an empty text is \"\""));
+  const auto real = read_number<double>(text);
+  if (real && std::isfinite(*real)) return *real;
+  return std::nullopt;
 }
 
 /// The patterns of which choices of a pin file are kept, and which of them matched any.
@@ -91,18 +93,24 @@ void add_pins_of_file(const Options& options, std::vector<solitaire::Pin>& pins)
 
 }  // namespace
 
-std::string Pin::text() const { return fmt::format("{}={}", pattern, to_text(value)); }
+std::string Pin::text() const {
+  return fmt::format("{}={}", pattern, element.empty() && value ? to_text(*value) : element);
+}
 
 Pin parse_pin(const std::string& text, bool forbidden, const std::string& source) {
-  const std::size_t sign = text.rfind('=');
+  const bool is_quoted = !text.empty() && text.back() == '"';  // may hold the sign itself
+  const std::size_t sign = is_quoted ? text.find("=\"") : text.rfind('=');
   if (sign == std::string::npos || sign == 0) refuse(source + " is not of the form ADDRESS=VALUE");
-  return {text.substr(0, sign), parse_value(text.substr(sign + 1), source), forbidden, source};
+  std::string value = text.substr(sign + 1);
+  return {text.substr(0, sign), parse_value(value, source), forbidden, source, std::move(value)};
 }
 
 std::vector<solitaire::Pin> pins_of(const Options& options) {
   std::vector<solitaire::Pin> pins;
-  for (const Pin& pin : options.pins)
-    pins.push_back({AddressPattern(pin.pattern), scalar_of(pin.value), pin.forbidden, pin.source});
+  for (const Pin& pin : options.pins) {
+    pins.push_back({AddressPattern(pin.pattern), {}, pin.forbidden, pin.source, pin.element});
+    if (pin.value) pins.back().value = scalar_of(*pin.value);
+  }
   if (!options.pin_file.empty()) add_pins_of_file(options, pins);
   return pins;
 }

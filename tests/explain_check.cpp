@@ -116,7 +116,7 @@ class BruteForce {
     for (const Rejection& each : execution.broken) keys.insert(key_of(each));
     for (const MetChoice& choice : execution.choices) {
       for (const Pin* pin : pins_.at(choice.address)) {
-        if ((converted(pin->value, choice.value.type()) == choice.value) != pin->forbidden) continue;
+        if ((converted(*pin->value, choice.value.type()) == choice.value) != pin->forbidden) continue;
         keys.insert({{}, 0, 0, 0, addresses_.text(choice.address), pin->source});
       }
     }

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "tests/command.h"
 #include "tracegraph/address_pattern.h"
@@ -49,11 +51,13 @@ TEST_CASE("cli: explain shows each member of a conflict with its place, and noth
         "  3 |   assert(w >= least and w != 4, \"wide enough\");\n"
         "    |          ^^^^^^^^^^\n"
         "  note: at make_room[0]/assert\n"
+        "  note: where least = 3\n"
         "  note: message: wide enough\n"
         "room.sol:3:10: assert: w >= least\n"
         "  3 |   assert(w >= least and w != 4, \"wide enough\");\n"
         "    |          ^^^^^^^^^^\n"
         "  note: at make_room[1]/assert\n"
+        "  note: where least = 5\n"
         "  note: message: wide enough\n"
         "room.sol:7:8: assert: sum(widths) < 8\n"
         "  7 | assert(sum(widths) < 8, \"the rooms fit\");\n"
@@ -374,6 +378,84 @@ TEST_CASE("cli: a pin's value has the type of the choices that it matches") {
   CHECK(pinned({"x=2.5", "b=2"}).status == 2);
   CHECK(has(run_solitaire({"solve", script, "--all", "--pin", "x=2.5", "--forbid", "**=0.5"}).err,
             "8 solutions"));
+}
+
+TEST_CASE("cli: of choose() a pin names the element, and a position where the list has no numbers") {
+  const Workplace place;
+  const std::string script = place.file("elements.sol",
+                                        "fun f() { return 1; }\n"
+                                        "a = choose([\"small\", \"a=b\", \"large\"]);\n"
+                                        "b = choose([7, range(8, 9), 1]);\n"
+                                        "c = choose([[1, 2], [3, 4]]);\n"
+                                        "d = choose([f, fun() { return 2; }]);\n"
+                                        "e = choose(if flip() then [\"x\", \"y\"] else [\"y\", \"z\"]);\n"
+                                        "return a, b, c, d(), e;\n");
+  const auto values = [&](std::vector<std::string> pins) {
+    std::vector<std::string> arguments = {"solve", script, "--all", "--json", "--distinct", "value", "-q"};
+    for (const std::string& pin : pins) arguments.insert(arguments.end(), {"--pin", pin});
+    std::set<std::string> found;
+    std::istringstream lines(run_solitaire(arguments).out);
+    for (std::string line; std::getline(lines, line);) found.insert(json::parse(line)["value"].dump());
+    return found;
+  };
+  using Values = std::set<std::string>;
+  const std::vector<std::string> rest = {"b=7", "c=[1,2]", "d=f", "e=x"};
+  const auto with_rest = [&](const std::string& pin) {
+    std::vector<std::string> pins = rest;
+    pins.push_back(pin);
+    return values(pins);
+  };
+  CHECK(with_rest("a=small") == Values{R"(["small",7,[1,2],1,"x"])"});
+  CHECK(with_rest("a=\"a=b\"") == Values{R"(["a=b",7,[1,2],1,"x"])"});
+  CHECK(with_rest("a=2") == Values{R"(["large",7,[1,2],1,"x"])"});
+  CHECK(values({"a=small", "b=1", "c=[3, 4]", "d=1", "e=y"}) == Values{R"(["small",1,[3,4],2,"y"])"});
+  CHECK(values({"a=small", "b=9", "c=[3, 4]", "d=1", "e=z"}) == Values{R"(["small",9,[3,4],2,"z"])"});
+  CHECK(has(run_solitaire({"solve", script, "--pin", "b=9", "--pin", "c=[1,2]", "--pin", "d=f"}).out,
+            "  b = 9\n  c = [1, 2]\n  d = fun f\n"));
+}
+
+TEST_CASE("cli: a pin that no value fulfils is told with the values that there are") {
+  const Workplace place;
+  const std::string script = place.file(
+      "few.sol", "size = choose([\"small\", \"large\"]);\nn = range(2, 6);\nx = uniform(0, 8);\nreturn n;\n");
+  const auto told = [&](const std::string& pin) {
+    const Outcome outcome = run_solitaire({"solve", script, "--pin", pin, "--pin", "x=1"});
+    return outcome.out + outcome.err;
+  };
+  CHECK(has(told("size=medium"),
+            "few.sol:1:8: pin: size is medium, by --pin 'size=medium'; it can be one of "
+            "\"small\", \"large\"\n"));
+  CHECK(has(told("size=7"), "size is 7, by --pin 'size=7'; it can be one of \"small\", \"large\"\n"));
+  CHECK(has(told("n=9"), "few.sol:2:5: range: n is at most 6\n"));
+  CHECK(has(told("n=9"), "few.sol:2:5: pin: n is 9, by --pin 'n=9'\n"));
+  CHECK(has(told("n=true"), "error: --pin 'n=true': n is an int from 2 to 6, not true\n"));
+  CHECK(has(told("n=many"), "error: --pin 'n=many': n is an int from 2 to 6, not 'many'\n"));
+  CHECK(has(run_solitaire({"solve", script, "--pin", "x=false"}).err,
+            "error: --pin 'x=false': x is a float from 0 to 8, not false\n"));
+  CHECK(has(run_solitaire({"explain", script, "--pin", "x=9.5"}).out,
+            "few.sol:3:5: pin: x is 9.5, by --pin 'x=9.5'; it can be from 0 to 8\n"));
+  CHECK(has(run_solitaire({"explain", script, "--pin", "x=1", "--pin", "size=large", "--choices"}).out,
+            "size: \"large\"; never \"small\"\n"));
+  CHECK(
+      has(run_solitaire({"explain", script, "--pin", "x=1", "--pin", "size=large", "--forbid", "size=1"}).out,
+          "forbid: size is not \"large\", by --forbid 'size=1'\n"));
+}
+
+TEST_CASE("cli: members of many turns are told once, with the loops' variables") {
+  const Workplace place;
+  const std::string script = place.file("turns.sol",
+                                        "xs = [[range(0, 9) for x in 1..3] for y in 1..3];\n"
+                                        "for x, y in [[x, y] for y in 0..2 for x in 0..2] {\n"
+                                        "  assert(xs[y][x] > 4, \"large\");\n"
+                                        "}\n"
+                                        "assert(sum([sum(row) for row in xs]) < 45);\n");
+  CHECK(has(run_solitaire({"explain", script}).out,
+            "turns.sol:3:10: assert: xs[y][x] > 4\n"
+            "  3 |   assert(xs[y][x] > 4, \"large\");\n"
+            "    |          ^^^^^^^^^^^^\n"
+            "  note: 9 times, first at x = 0, y = 0; x = 1, y = 0; x = 2, y = 0; last at x = 2, y = 2\n"
+            "  note: message: large\n"));
+  CHECK(has(run_solitaire({"explain", script, "--full"}).out, "  note: where x = 1, y = 2\n"));
 }
 
 TEST_CASE("cli: pins that are not written as pins are wrong usage") {

@@ -4,6 +4,18 @@
 
 namespace solitaire {
 
+const char* in_words(Type type) {
+  switch (type) {
+    case Type::kBool:
+      return "a bool";
+    case Type::kInt:
+      return "an int";
+    case Type::kFloat:
+      break;
+  }
+  return "a float";
+}
+
 std::string to_text(TypedScalar value) {
   switch (value.type()) {
     case Type::kBool:

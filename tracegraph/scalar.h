@@ -11,6 +11,9 @@ namespace solitaire {
 
 enum class Type : std::uint8_t { kBool, kInt, kFloat };
 
+/// Returns "a bool", "an int" or "a float".
+const char* in_words(Type type);
+
 /// A constant of any type, untagged: `i` for ints and, as 0 or 1, bools; `f` for floats.
 union Scalar {
   std::int64_t i;

@@ -52,6 +52,8 @@ struct Term {
   ConstraintKind requirement = ConstraintKind::kAssert;
   Span whole;           // of the whole condition
   std::string message;  // the author's, or ""
+  std::string turn =
+      "";  // the known variables of the loops around it, "x = 3, y = 1"; where executions go on
 
   bool is_hard() const { return strength == Strength::kHard; }
 };

@@ -25,6 +25,7 @@ class Audit {
   Audit(const Program& program, const ParamValues& params, const TracingOptions& options)
       : program_(program),
         pins_(options.pins, addresses_),
+        choices_(pins_),
         solver_(program, params, options, choices_, addresses_, pins_) {}
 
   /// The last asserts first, so that of two that say the same the later one is dead.
@@ -84,7 +85,7 @@ class Audit {
   const Program& program_;
   AddressTable addresses_;
   Pins pins_;
-  OpenChoices choices_;
+  PinnedFloats choices_;
   ConditionSolver solver_;
   std::set<Condition> left_out_;
   DeadAsserts result_;

@@ -35,6 +35,7 @@ Explainer::Explainer(const Program& program, ParamValues params, const TracingOp
       params_(std::move(params)),
       options_(options),
       pins_(options.pins, addresses_),
+      choices_(pins_),
       solver_(program, params_, options, choices_, addresses_, pins_) {}
 
 /// Conflicts are looked for among conditions that are in none so far. The ends of ranges come last, so that

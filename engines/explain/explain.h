@@ -48,7 +48,7 @@ class Explainer {
   TracingOptions options_;
   AddressTable addresses_;
   Pins pins_;
-  OpenChoices choices_;
+  PinnedFloats choices_;
   ConditionSolver solver_;
   Conditions explained_;  // members of the conflicts so far, but for ends of ranges
   Conditions shown_;      // members of the conflicts that were returned

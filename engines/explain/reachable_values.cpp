@@ -41,7 +41,7 @@ class Survey {
     last_ = solver_.find([&] {
       meet_pass();
       std::vector<NodeId> nodes{graph_.disjunction(condition(), solver_.unexplored())};
-      for (const PinnedChoice& pinned : pinned_choices(graph_, solver_.trace(), pins_))
+      for (const PinnedChoice& pinned : pinned_choices(graph_, solver_.pass(), pins_))
         nodes.push_back(pinned.holds);
       return nodes;
     });
@@ -60,10 +60,24 @@ class Survey {
         found_.back().auxiliary = choice.auxiliary;
         found_.back().pinned = pins_.fixing(choice.address) != nullptr;
       }
+      note_elements(found_[it->second], choice);
       Distribution& domain = found_[it->second].domain;
       domain.lo = std::min(domain.lo, choice.domain.lo);
       domain.hi = std::max(domain.hi, choice.domain.hi);
       found_[it->second].listed = domain.size() <= tuning::kMostValuesListed;
+    }
+  }
+
+  /// On other paths the same choice may choose among others: then both are told.
+  void note_elements(ReachableValues& found, const TraceChoice& choice) {
+    if (choice.domain.family != Distribution::Family::kIndex ||
+        choice.domain.size() > tuning::kMostValuesListed)
+      return;
+    found.elements.resize(std::max(found.elements.size(), choice.domain.size()));
+    for (std::uint64_t i = 0; i < choice.domain.size(); ++i) {
+      const std::string text = element_at(solver_.pass(), choice, static_cast<std::int64_t>(i));
+      std::string& known = found.elements[i];
+      if (known.find(text) == std::string::npos) known += (known.empty() ? "" : " or ") + text;
     }
   }
 

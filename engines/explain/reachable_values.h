@@ -11,7 +11,9 @@ struct ReachableValues {
   Span span;
   Distribution domain;            // over all paths
   std::set<std::int64_t> values;  // all that occur or, if there are too many, the least and the greatest
-  bool listed = true;             // `values` has all of them
+  /// Of choose(): the elements, by their positions, where they have short texts (elements.h).
+  std::vector<std::string> elements = {};
+  bool listed = true;  // `values` has all of them
   bool pinned = false;
   bool auxiliary = false;
   bool complete = true;  // no limit came first

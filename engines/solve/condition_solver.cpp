@@ -26,7 +26,7 @@ ConditionSolver::ConditionSolver(const Program& program, const ParamValues& para
 const std::vector<TracedCondition>& ConditionSolver::all() {
   solver_.explore();
   if (traced_pass_ != solver_.passes()) {
-    traced_ = conditions_of(graph_, solver_.trace(), pins_);
+    traced_ = conditions_of(graph_, solver_.pass(), pins_);
     traced_pass_ = solver_.passes();
   }
   return traced_;

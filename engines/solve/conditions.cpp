@@ -13,6 +13,15 @@ bool is_fixed(const Graph& graph, NodeId condition) {
                      [&](NodeId operand) { return graph.node(operand).is_constant(); });
 }
 
+Condition condition_of(Graph& graph, const SymbolicPass& pass, const PinnedChoice& pinned) {
+  const TraceChoice& choice = *pinned.choice;
+  Condition condition{{}, choice.address, choice.span, choice.span, "", "", pinned.pin, choice.domain};
+  condition.pinned = pinned_text(pass, pinned);
+  const bool is_impossible = !pinned.pin->forbidden && pinned.holds == graph.negation(choice.guard);
+  if (is_impossible) condition.possible = possible_text(pass, choice);
+  return condition;
+}
+
 }  // namespace
 
 bool is_end(ConstraintKind requirement) {
@@ -20,7 +29,8 @@ bool is_end(ConstraintKind requirement) {
          requirement == ConstraintKind::kStep;
 }
 
-std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pins& pins) {
+std::vector<TracedCondition> conditions_of(Graph& graph, const SymbolicPass& pass, Pins& pins) {
+  const Trace& trace = pass.trace;
   std::map<Condition, TracedCondition> conditions;
   // The same condition is met on several paths where exclusive branches share an address.
   const auto add = [&](Condition condition, NodeId guard, NodeId holds) {
@@ -33,15 +43,13 @@ std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pin
   for (const TraceChoice& choice : trace.choices) domains.emplace(choice.address, choice.domain);
 
   for (const Term& each : trace.hard_terms) {
-    Condition condition{each.requirement, each.address, each.span, each.whole, each.message, nullptr, {}};
+    Condition condition{each.requirement, each.address, each.span, each.whole,
+                        each.message,     each.turn,    nullptr,   {}};
     if (is_end(each.requirement) && is_fixed(graph, each.node)) condition.domain = domains[each.address];
     add(std::move(condition), each.guard, graph.implication(each.guard, each.node));
   }
-  for (const PinnedChoice& pinned : pinned_choices(graph, trace, pins)) {
-    const TraceChoice& choice = *pinned.choice;
-    add({{}, choice.address, choice.span, choice.span, "", pinned.pin, choice.domain}, choice.guard,
-        pinned.holds);
-  }
+  for (const PinnedChoice& pinned : pinned_choices(graph, pass, pins))
+    add(condition_of(graph, pass, pinned), pinned.choice->guard, pinned.holds);
   std::vector<TracedCondition> list;
   for (auto& [key, traced] : conditions) list.push_back(std::move(traced));
   return list;

@@ -17,8 +17,11 @@ struct Condition {
   Span span;
   Span whole;           // the whole condition of an assert
   std::string message;  // the author's, or ""
+  std::string turn;     // the variables of the loops around it that are known: "x = 3, y = 1"
   const Pin* pin = nullptr;
   std::optional<Distribution> domain;  // the choice's; for pins, and for ends that depend on no choice
+  std::string pinned = "";             // of a pin: what it is about, as pinned_text() says
+  std::string possible = "";           // of a pin that no value of the choice fulfils: which there are
 
   /// Two conditions are equal if they are the same one in every pass, whatever is known about them.
   friend bool operator==(const Condition& a, const Condition& b) { return a.key() == b.key(); }
@@ -40,8 +43,8 @@ struct TracedCondition {
   NodeId met = kFalse;  // holds in executions that come to it
 };
 
-/// Returns all conditions of a trace whose asserts are taken apart, each once, in the order of the program's
+/// Returns all conditions of a pass whose asserts are taken apart, each once, in the order of the program's
 /// text. One that holds in all executions is among them too.
-std::vector<TracedCondition> conditions_of(Graph& graph, const Trace& trace, Pins& pins);
+std::vector<TracedCondition> conditions_of(Graph& graph, const SymbolicPass& pass, Pins& pins);
 
 }  // namespace solitaire

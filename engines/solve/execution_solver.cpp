@@ -157,11 +157,11 @@ std::vector<std::size_t> ExecutionSolver::blockers_in_core() const {
   return blockers;
 }
 
-/// Returns the blockers to which some execution comes that fulfils the conditions, none if there is no such
-/// execution, or nothing if a limit came first. A core can name blockers that no execution reaches, and one
+/// Returns the blockers to which some execution comes, none if there is no such execution, or nothing if a
+/// limit came first. A core can name blockers that no execution reaches, and one
 /// could open such sides of a recursion for ever.
-std::optional<std::vector<std::size_t>> ExecutionSolver::blockers_reached(const Conditions& conditions) {
-  switch (check(conditions())) {
+std::optional<std::vector<std::size_t>> ExecutionSolver::blockers_reached() {
+  switch (check({unexplored()})) {
     case Verdict::kStopped:
       return std::nullopt;
     case Verdict::kUnsatisfiable:
@@ -190,7 +190,7 @@ bool ExecutionSolver::explore_fully(std::size_t most_passes) {
   explore();
   for (std::size_t pass = 0; !trace().blockers.empty(); ++pass) {
     if (pass == most_passes) return false;
-    const auto reached = blockers_reached([this] { return std::vector{unexplored()}; });
+    const auto reached = blockers_reached();
     if (!reached) throw Interrupted{};
     if (reached->empty()) return true;
     if (!open(*reached)) return false;

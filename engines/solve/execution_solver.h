@@ -109,7 +109,7 @@ class ExecutionSolver {
   Verdict check(std::vector<NodeId> assumptions);
   std::vector<std::size_t> blockers_in_core() const;
   bool open(const std::vector<std::size_t>& blockers);
-  std::optional<std::vector<std::size_t>> blockers_reached(const Conditions& conditions);
+  std::optional<std::vector<std::size_t>> blockers_reached();
 
   Graph& graph_;
   AddressTable& addresses_;

@@ -33,23 +33,6 @@ std::vector<std::string> fields_meant(const AddressPattern& pattern,
   return meant;
 }
 
-/// Returns the choices of a program on all paths: without pins, and where executions go on past broken
-/// asserts.
-std::vector<AddressId> all_choices(const Program& program, const ParamValues& params, TracingOptions options,
-                                   AddressTable& addresses) {
-  options.pins.clear();
-  options.diverse = false;
-  options.limits.keep_going = true;
-  Graph graph;
-  OpenChoices choices;
-  ExecutionSolver solver(program, params, options, choices, graph, addresses,
-                         [](const Term&) { return false; });
-  solver.explore_fully(tuning::kPassesForPins);
-  std::vector<AddressId> found;
-  for (const TraceChoice& choice : solver.trace().choices) found.push_back(choice.address);
-  return found;
-}
-
 std::string param_help(const Pin& pin, const Program& program) {
   const std::vector<const ParamStmt*> params = program.params();
   const std::string& name = pin.pattern.text();
@@ -75,26 +58,54 @@ UnmatchedPin error_of(const Pin& pin, const std::vector<AddressId>& choices, con
                                   nearest.size() == 1 ? "is" : "are", fmt::join(nearest, ", ")));
 }
 
-const char* name_of(Type type) {
-  switch (type) {
-    case Type::kBool:
-      return "a bool";
-    case Type::kInt:
-      return "an int";
-    case Type::kFloat:
-      break;
-  }
-  return "a float";
+/// Returns "an int from 2 to 6", "a bool".
+std::string domain_in_words(const SymbolicPass& pass, const TraceChoice& choice) {
+  const std::string possible = possible_text(pass, choice);
+  const std::string type = in_words(choice.domain.type());
+  if (choice.domain.family == Distribution::Family::kIndex) return possible;
+  return possible.empty() ? type : type + " " + possible;
 }
 
 /// Throws UnmatchedPin for a choice that is pinned to what no value of its type is.
-void check_types(Pins& pins, ExecutionSolver& solver) {
-  for (const TraceChoice& choice : solver.trace().choices) {
+void check_types(Pins& pins, const SymbolicPass& pass, const AddressTable& addresses) {
+  for (const TraceChoice& choice : pass.trace.choices) {
     const Pin* pin = pins.fixing(choice.address);
-    if (pin == nullptr || converted(pin->value, choice.domain.type())) continue;
-    throw UnmatchedPin(fmt::format("{}: {} is {}", pin->source, solver.addresses().text(choice.address),
-                                   name_of(choice.domain.type())));
+    if (pin == nullptr || pin->looks_at_list(choice.domain) || pin->value_of(choice.domain)) continue;
+    throw UnmatchedPin(fmt::format("{}: {} is {}, not {}", pin->source, addresses.text(choice.address),
+                                   domain_in_words(pass, choice),
+                                   pin->value ? to_text(*pin->value) : "'" + pin->element + "'"));
   }
+}
+
+/// Leaves open what solvers can find, and answers the other choices with some value, so that what comes
+/// after them is seen.
+class AnyFloats : public Choices {
+ public:
+  std::optional<TypedScalar> answer(AddressId, const Distribution& domain) override {
+    if (domain.is_finite()) return std::nullopt;
+    if (domain.type() == Type::kInt) return TypedScalar::of(std::int64_t{0});
+    return TypedScalar::of(domain.family == Distribution::Family::kUniform ? domain.a : 0.5);
+  }
+};
+
+/// Checks the pins against the choices of a program on all paths: without pins, and where executions go on
+/// past broken asserts.
+void check_on_all_paths(Pins& pins, const Program& program, const ParamValues& params, TracingOptions options,
+                        AddressTable& addresses) {
+  options.pins.clear();
+  options.diverse = false;
+  options.limits.keep_going = true;
+  Graph graph;
+  AnyFloats choices;
+  ExecutionSolver solver(program, params, options, choices, graph, addresses,
+                         [](const Term&) { return false; });
+  solver.explore_fully(tuning::kPassesForPins);
+  check_types(pins, solver.pass(), addresses);
+  const std::vector<const Pin*> wrong = unmatched_pins(pins, solver.trace());
+  if (wrong.empty()) return;
+  std::vector<AddressId> found;
+  for (const TraceChoice& choice : solver.trace().choices) found.push_back(choice.address);
+  throw error_of(*wrong.front(), found, addresses, program);
 }
 
 }  // namespace
@@ -102,13 +113,11 @@ void check_types(Pins& pins, ExecutionSolver& solver) {
 void check_pins(Pins& pins, ExecutionSolver& solver, const Program& program, const ParamValues& params,
                 const TracingOptions& options) {
   if (pins.empty()) return;
-  check_types(pins, solver);
+  check_types(pins, solver.pass(), solver.addresses());
   if (unmatched_pins(pins, solver.trace()).empty()) return;
   solver.explore_fully(tuning::kPassesForPins);
   if (unmatched_pins(pins, solver.trace()).empty()) return;
-  const std::vector<AddressId> choices = all_choices(program, params, options, solver.addresses());
-  const std::vector<const Pin*> wrong = pins.unmatched(choices);
-  if (!wrong.empty()) throw error_of(*wrong.front(), choices, solver.addresses(), program);
+  check_on_all_paths(pins, program, params, options, solver.addresses());
 }
 
 }  // namespace solitaire

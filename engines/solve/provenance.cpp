@@ -105,7 +105,7 @@ std::set<std::string> Provenance::choices_below(const Term& part, Assignment& as
     below.insert(addresses.text(solver_.graph().variables()[number].address));
   if (!below.empty()) return below;
   if (!wide_) wide_ = std::make_unique<WideTrace>(program_, params_, options_, pins_, addresses);
-  const Condition condition{part.requirement, part.address, part.span, part.whole, "", nullptr, {}};
+  const Condition condition{part.requirement, part.address, part.span, part.whole, "", "", nullptr, {}};
   for (const AddressId address : wide_->choices_below(condition)) below.insert(addresses.text(address));
   return below;
 }

@@ -51,7 +51,7 @@ void TracedProgram::meet_pass() {
   if (met_pass_ == solver_.passes()) return;
   if (met_pass_ == 0) check_pins(pins_, solver_, program_, params_, for_solver(options_, stop_));
   met_pass_ = solver_.passes();
-  for (const PinnedChoice& pinned : pinned_choices(graph_, trace(), pins_)) solver_.require(pinned.holds);
+  for (const PinnedChoice& pinned : pinned_choices(graph_, pass(), pins_)) solver_.require(pinned.holds);
   for (const NodeId condition : options_.method->conditions(graph_, trace())) solver_.require(condition);
   if (!options_.relax) errors_.report_reachable();
 }
@@ -78,8 +78,7 @@ std::vector<NodeId> TracedProgram::requirements(bool closed) {
   const auto firm = firmness(options_.relax);
   std::vector<NodeId> conditions =
       closed ? requirements_of(graph_, trace(), firm) : requirements_of_any_path(graph_, trace(), firm);
-  for (const PinnedChoice& pinned : pinned_choices(graph_, trace(), pins_))
-    conditions.push_back(pinned.holds);
+  for (const PinnedChoice& pinned : pinned_choices(graph_, pass(), pins_)) conditions.push_back(pinned.holds);
   return conditions;
 }
 

@@ -13,7 +13,7 @@ Distribution WideChoices::widened(AddressId address, const Distribution& domain)
   std::int64_t by =
       std::clamp(std::max(tuning::kReachInSpans * span, reach_), tuning::kLeastReach, tuning::kMostReach);
   for (const Pin* pin : pins_.at(address)) {
-    const auto value = converted(pin->value, Type::kInt);
+    const auto value = pin->value ? converted(*pin->value, Type::kInt) : std::nullopt;
     if (!value) continue;
     const std::int64_t distance = std::max(domain.lo - value->as_int(), value->as_int() - domain.hi);
     if (distance <= tuning::kMostReach) by = std::max(by, distance);

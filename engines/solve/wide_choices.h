@@ -5,16 +5,15 @@
 
 namespace solitaire {
 
-/// Leaves choices open, and lets those at some addresses, or all, have any value around their ranges: by
-/// several times what they span, and by no less than a reach.
-class WideChoices : public Choices {
+/// Leaves choices open as PinnedFloats does, and lets those at some addresses, or all, have any value around
+/// their ranges: by several times what they span, and by no less than a reach.
+class WideChoices : public PinnedFloats {
  public:
   /// `wide` are the addresses of the choices that are free; null means all. The reach is at most
   /// tuning::kMostReach.
   WideChoices(const std::set<AddressId>* wide, std::int64_t reach, Pins& pins)
-      : wide_(wide), reach_(reach), pins_(pins) {}
+      : PinnedFloats(pins), wide_(wide), reach_(reach), pins_(pins) {}
 
-  std::optional<TypedScalar> answer(AddressId, const Distribution&) override { return std::nullopt; }
   Distribution widened(AddressId address, const Distribution& domain) override;
 
  private:

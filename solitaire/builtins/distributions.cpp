@@ -209,24 +209,13 @@ Value dirichlet_density(Evaluator& evaluator, Items items, Items x, Span span) {
   return density;
 }
 
-const char* words(Type type) {
-  switch (type) {
-    case Type::kBool:
-      return "a bool";
-    case Type::kInt:
-      return "an int";
-    case Type::kFloat:
-      break;
-  }
-  return "a number";
-}
-
 Value density_at(Evaluator& evaluator, const Record& record, const Prior& prior, const Value& x, Span span) {
   const Type type = prior.distribution.type();
   const bool fits = type == Type::kFloat ? x.is_number() : x.has_type(type);
   if (!fits) {
-    evaluator.program_error(
-        span, fmt::format("a value of {} is {}, not {}", record.type->name, words(type), describe(x)));
+    evaluator.program_error(span,
+                            fmt::format("a value of {} is {}, not {}", record.type->name,
+                                        type == Type::kFloat ? "a number" : in_words(type), describe(x)));
   }
   if (!is_known(x)) evaluator.unsupported(span, "no solver looks at densities", "'solitaire sample' does");
   return evaluator.log_density(prior, x, span);

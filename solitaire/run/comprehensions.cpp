@@ -27,7 +27,7 @@ void Comprehensions::clause(const ComprehensionExpr& node, std::size_t number, V
 template <class Turn>
 void Comprehensions::collect(Source source, Value& collected, Turn turn) {
   Exits ends;
-  turns_.push_back(0);
+  enter_loop();
   if (forks_) {
     run_paths(source, ends, collected, turn);
   } else {

@@ -41,6 +41,9 @@ const char* label_of(ConstraintKind kind) {
 
 }  // namespace
 
+/// Conditions that may be broken are told of, and then it helps to know in which turn.
+std::string Constraints::turn_text() const { return forks_ && limits_.keep_going ? loops_in_words() : ""; }
+
 AddressId Constraints::constraint_address(ConstraintKind kind) {
   return address_of(addresses_.label(label_of(kind)));
 }
@@ -63,7 +66,7 @@ void Constraints::require_open(const Value& given, ConstraintKind kind, Span spa
   const bool goes_on = limits_.keep_going && can_be_broken(kind);
   if (known != nullptr && !*known && !condition.traced() && !goes_on) reject(kind, span, message, address);
   if (known == nullptr) check_condition(node_of(*graph_, condition), span);
-  effects_->constraint({kind, address, span, span, message, goes_on}, condition);
+  effects_->constraint({kind, address, span, span, message, goes_on, turn_text()}, condition);
   if (goes_on) return;
   if (known != nullptr) {
     if (!*known) end_path();
@@ -81,9 +84,9 @@ void Constraints::note_broken(const Value& given, Span span, Span whole, const s
   const Value condition = settle(given);
   if (const bool* known = condition.plain<bool>(); known != nullptr && *known && !forks_) return;
   if (condition.is<Symbol>()) check_condition(node_of(*graph_, condition), span);
-  effects_->constraint(
-      {ConstraintKind::kAssert, constraint_address(ConstraintKind::kAssert), span, whole, message, true},
-      condition);
+  effects_->constraint({ConstraintKind::kAssert, constraint_address(ConstraintKind::kAssert), span, whole,
+                        message, true, turn_text()},
+                       condition);
 }
 
 void Constraints::end_where(const Value& wrong, Span span, const std::string& message) {

@@ -54,6 +54,7 @@ class Constraints : public Control {
   void end_where(const Value& wrong, Span span, const std::string& message);
   Value checked_condition(const Value& value, Span span);
   AddressId constraint_address(ConstraintKind kind);
+  std::string turn_text() const;
 };
 
 /// The effects of a conjunct that is looked at by itself: it rules nothing out, and its errors make it false.

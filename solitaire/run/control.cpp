@@ -112,6 +112,7 @@ void Control::unwind(const Checkpoint& checkpoint) {
   depth_ = checkpoint.depth;
   path_.facts.drop_from(checkpoint.facts);
   turns_.resize(checkpoint.turns);
+  loop_variables_.resize(checkpoint.turns);
 }
 
 void Control::add_exit(Exits& exits, NodeId guard, std::span<const Slot> slots, Value value) {

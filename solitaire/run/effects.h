@@ -17,6 +17,7 @@ struct Constraint {
   Span whole;  // of the whole condition
   const std::string* message = nullptr;  // the author's, or null
   bool goes_on = false;                  // whether executions go on where it does not hold
+  std::string turn = "";                 // the variables of the loops around it, as of a Term
 };
 
 /// Receives what an evaluation does beside computing values: the one place where an execution, a symbolic

@@ -105,7 +105,7 @@ bool Loops::run_paths(const Stmt& body, Loop& loop, Enter enter) {
   path_.enter_region();
   loop.region = path_.region();
   const Checkpoint start = checkpoint();
-  turns_.push_back(0);
+  enter_loop();
   try {
     while (enter(loop, turns_.back()) && turn(body, loop)) {
       ++turns_.back();
@@ -142,6 +142,7 @@ bool Loops::while_statement(const WhileStmt& node) {
 }
 
 void Loops::set_variables(const std::vector<LoopVariable>& variables, const Value& value, Span span) {
+  if (forks_) loop_variables_.back() = &variables;
   if (variables.size() == 1) {
     slot(variables.front().slot) = value;
     return;

@@ -1,6 +1,10 @@
 #include "solitaire/run/machine.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "solitaire/value/short_text.h"
 
 namespace solitaire {
 namespace {
@@ -33,6 +37,7 @@ void Machine::clear_frames() {
 void Machine::reset() {
   clear_frames();
   turns_.clear();
+  loop_variables_.clear();
   calls_.clear();
   depth_ = 0;
   auxiliary_ = false;
@@ -94,6 +99,25 @@ AddressId Machine::activation_address(Activation& activation) {
     activation.has_address = true;
   }
   return activation.address;
+}
+
+/// The loops of a call stand on the stack after those of its caller.
+std::string Machine::loops_in_words() const {
+  std::vector<std::string> words;
+  std::size_t loop = std::min(turns_.size(), loop_variables_.size());
+  for (const Activation* running = current_; running != nullptr; running = running->caller) {
+    for (; loop > running->first_turn; --loop) {
+      const auto* variables = loop_variables_[loop - 1];
+      if (variables == nullptr) continue;
+      for (std::size_t i = variables->size(); i > 0; --i) {
+        const LoopVariable& each = (*variables)[i - 1];
+        const std::string value = short_text(running->slots[each.slot]);
+        if (!value.empty()) words.push_back(fmt::format("{} = {}", each.name, value));
+      }
+    }
+  }
+  std::reverse(words.begin(), words.end());
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::uint32_t Machine::call_record(Activation& activation) {

@@ -91,6 +91,16 @@ class Machine {
     for (const std::uint32_t number : turns) address = addresses_.turn(address, number);
     return address;
   }
+  /// Begins a loop, or a clause of a comprehension.
+  void enter_loop() {
+    turns_.push_back(0);
+    loop_variables_.resize(turns_.size());
+    loop_variables_.back() = nullptr;
+  }
+  /// The variables of all loops that run, the outermost first, as far as their values are known and short:
+  /// "x = 3, y = 1". Only loops that were begun by enter_loop() count.
+  std::string loops_in_words() const;
+
   /// A message with where the running calls were made.
   Diagnostic diagnose(Span span, const std::string& message, const std::string& help) const;
 
@@ -100,8 +110,9 @@ class Machine {
   Activation root_;  // stands for whoever runs the program, so that there is always a current activation
   Activation* current_ = &root_;
   std::uint32_t depth_ = 0;
-  bool auxiliary_ = false;            // whether choices are auxiliary here
-  std::vector<std::uint32_t> turns_;  // of all loops that run
+  bool auxiliary_ = false;                                        // whether choices are auxiliary here
+  std::vector<std::uint32_t> turns_;                              // of all loops that run
+  std::vector<const std::vector<LoopVariable>*> loop_variables_;  // of these, null where there are none
   std::uint32_t frames_made_ = 0;
   std::vector<Ref<Frame>> module_frames_;
   std::vector<bool> module_done_;

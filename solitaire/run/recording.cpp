@@ -9,7 +9,8 @@ std::string text_of(const std::string* message) { return message == nullptr ? st
 
 Term term_of(const Constraint& constraint, NodeId guard, NodeId condition) {
   return {Term::Strength::kHard, guard,           condition,        constraint.address,
-          constraint.span,       constraint.kind, constraint.whole, text_of(constraint.message)};
+          constraint.span,       constraint.kind, constraint.whole, text_of(constraint.message),
+          constraint.turn};
 }
 
 Term cost_term(AddressId address, Span span, NodeId guard, NodeId cost) {

@@ -78,9 +78,7 @@ std::optional<Value> element_under(Assignment& assignment, const Value& list, st
   const List* known = list.as_list();
   const auto number = static_cast<std::size_t>(position);
   if (known == nullptr || number >= known->items.size()) return Value();
-  const Value& element = known->items[number];
-  if (element.as_list() != nullptr || element.object<Record>() != nullptr) return Value();  // not shown
-  return value_under(assignment, element);
+  return value_under(assignment, known->items[number]);
 }
 
 Type type_of(const Value& scalar) {

@@ -1,3 +1,3 @@
 // pin: size=0
-size = choose(["small", "large"]);  // conflict: size is 0, by --pin 'size=0'
+size = choose(["small", "large"]);  // conflict: size is "small", by --pin 'size=0'
 assert(size == "large");  // conflict: size == "large"

@@ -78,6 +78,8 @@ struct ReachableValues {
   std::string address;
   std::int64_t from = 0, to = 0, step = 1;  // its range over all paths; of flip() 0 to 1
   bool is_bool = false;
+  std::vector<std::string>
+      elements;          // of choose(): what stands at each position, where that has a short text
   bool listed = true;    // `values` are all that occur; else the least and the greatest of them
   bool complete = true;  // no limit came first
   bool pinned = false;

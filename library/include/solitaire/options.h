@@ -19,14 +19,19 @@ enum class Solver : std::uint8_t {
 /// Fixes the choices whose addresses match a pattern.
 struct Pin {
   std::string pattern;  // such as "wing[*]/room[0]/x"; docs/command-line.md says what it can hold
-  ChoiceValue value;
+  std::optional<ChoiceValue>
+      value;               // of choose() the position, from 0; nothing if `element` is no such value
   bool forbidden = false;  // the choices must not have the value, rather than have it
   std::string source;      // how the user said it, for messages
+  /// If it is not empty: what choose() is to have chosen, such as `oven`, `20` or `[1, 2]`. A number stands
+  /// for a position all the same in a list without numbers.
+  std::string element = "";
 
   SOLITAIRE_API std::string text() const;  // "x=3"
 };
 
-/// Reads "ADDRESS=VALUE". Throws Error (kUsage), which calls the pin by its source.
+/// Reads "ADDRESS=VALUE", where a value of choose() is an element. Throws Error (kUsage), which calls the pin
+/// by its source.
 SOLITAIRE_API Pin parse_pin(const std::string& text, bool forbidden, const std::string& source);
 
 /// The options of every question about a program. The defaults are those of the command line.
