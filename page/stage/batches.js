@@ -1,7 +1,8 @@
 // Draws objects in batches: all parts of one shape, paint and style are one draw call, so that ten thousand chairs are
 // as quick as one.
 import { Group, InstancedMesh } from 'three';
-import { layersFor } from './styles.js';
+import { Boxes } from './far.js';
+import { isFar, layersFor } from './styles.js';
 
 class Batch {
   constructor(geometry, material, style) {
@@ -44,6 +45,7 @@ export class Batches {
     this.group = new Group();
     this.batches = new Map();
     this.styles = new Map();  // by object
+    this.boxes = new Boxes();
   }
 
   show(objects, styleOf) {
@@ -82,12 +84,13 @@ export class Batches {
     for (const batch of this.batches.values()) batch.dispose(this.group);
     this.batches.clear();
     this.styles.clear();
+    this.boxes.clear();
   }
 
   #put(object, style) {
     this.styles.set(object, style);
     return object.parts.map(({ geometry, material, matrix }) => {
-      const batch = this.#batch(geometry, material, style);
+      const batch = this.#batch(isFar(style) ? this.boxes.of(geometry) : geometry, material, style);
       batch.parts.push({ object, matrix });
       return batch;
     });

@@ -5,15 +5,17 @@ import {
 } from 'three';
 import { Batches } from './batches.js';
 import { Cutaway } from './cutaway.js';
+import { farObjects, hasManyTriangles } from './far.js';
 import { fitted, threeQuarterView } from './fit.js';
 import { disposeOfLighting, lightingFor, surroundings } from './lighting.js';
 import { Orbit } from './orbit.js';
 import { Picker } from './picker.js';
-import { selectionMaterial } from './styles.js';
+import { selectionMaterial, styleOf } from './styles.js';
 import { Walk } from './walk.js';
 
 const kBackground = { orbit: [0xeceae6, 0x24272c], walk: [0xdbe6ef, 0x1d2733] };  // light, dark
 const kMostPixels = 2;  // for each pixel of the page
+const kRest = 200;      // milliseconds without a movement, after which things that came nearer are drawn in full
 
 export class Stage {
   /** `picked(object or null)` is called when somebody clicks, `moved()` whenever the camera has moved. Throws where
@@ -41,6 +43,7 @@ export class Stage {
     this.picker = new Picker(canvas, this.camera, this.batches, { picked, focused: (object) => this.focus(object) });
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(canvas);
+    this.resize();
   }
 
   /** Shows a scene whose walls have these addresses. `kindOf(object)` gives the style of each: "plain", "faded",
@@ -49,6 +52,9 @@ export class Stage {
     this.model = model;
     this.kindOf = kindOf;
     this.cutaway = new Cutaway(model.objects, walls);
+    this.cut = new Map();
+    this.far = new Set();
+    this.hasManyTriangles = hasManyTriangles(model.objects);
     this.batches.show(model.objects, (object) => this.#style(object));
     if (this.lighting) this.#removeLighting();
     this.lighting = lightingFor(model.box);
@@ -56,6 +62,7 @@ export class Stage {
     this.renderer.shadowMap.needsUpdate = true;
     this.select(null);
     this.reset();
+    this.#findFar();
   }
 
   /** Goes back to where the whole scene is seen. */
@@ -136,9 +143,12 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
+  /** Fits the picture to the canvas, if that has another size than before: to draw a large scene twice takes long. */
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    if (width === 0 || height === 0) return;
+    const size = `${width} ${height} ${devicePixelRatio}`;
+    if (width === 0 || height === 0 || size === this.size) return;
+    this.size = size;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, kMostPixels));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -148,6 +158,7 @@ export class Stage {
 
   dispose() {
     cancelAnimationFrame(this.frame);
+    clearTimeout(this.rest);
     this.resizing.disconnect();
     this.picker.dispose();
     this.walk.dispose();
@@ -171,6 +182,7 @@ export class Stage {
     if (!this.model) return;
     this.#fitCamera();
     this.#cutWalls();
+    this.#waitForRest();
     this.invalidate();
   }
 
@@ -195,12 +207,30 @@ export class Stage {
   #cutWalls() {
     const toCamera = this.camera.position.clone().sub(this.orbit.target).normalize();
     this.cut = this.walk.active ? new Map() : this.cutaway.heights(toCamera);
-    if (this.batches.restyle((object) => this.#style(object))) this.renderer.shadowMap.needsUpdate = true;
+    this.#restyle();
+  }
+
+  #waitForRest() {
+    if (!this.hasManyTriangles) return;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.#findFar(), kRest);
+  }
+
+  #findFar() {
+    clearTimeout(this.rest);
+    if (!this.hasManyTriangles) return;
+    this.far = farObjects(this.model.objects, this.camera, this.canvas.clientHeight);
+    this.#restyle();
+  }
+
+  #restyle() {
+    if (!this.batches.restyle((object) => this.#style(object))) return;
+    this.renderer.shadowMap.needsUpdate = true;
+    this.invalidate();
   }
 
   #style(object) {
-    const height = this.cut?.get(object);
-    return this.kindOf(object) + (height === undefined ? '' : `:${height.toFixed(3)}`);
+    return styleOf(this.kindOf(object), this.cut.get(object), this.far.has(object));
   }
 
   #isPassable(hit) {

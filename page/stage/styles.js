@@ -15,7 +15,7 @@ function faded(material) {
 
 function marked(material, color) {
   const variant = material.clone();
-  variant.color.lerp(new Color(color), 0.55);
+  variant.color.lerp(new Color(color), 0.42);
   variant.emissive?.set(color);
   variant.emissiveIntensity = 0.15;
   return [{ material: variant, shadow: true }];
@@ -38,20 +38,29 @@ function cutBelow(material, height) {
   return [{ material: variant, shadow: true }, { material: inside, shadow: false }];
 }
 
-/** Returns the layers {material, shadow} that draw a material in a style: "plain", "faded", "changed" or "only", and
- * of what is cut off at a height in metres "changed:0.3". A layer has the material itself, or a variant that has to be
- * disposed of. */
+/** Returns the text of a style that has a name ("plain", "faded", "changed" or "only"), and perhaps a height in metres
+ * above which things are cut off, and whether they are far: "plain", "changed:0.3", "plain::far". */
+export function styleOf(name, height, far) {
+  return [name, height?.toFixed(3) ?? '', far ? 'far' : ''].join(':').replace(/:+$/, '');
+}
+
+/** Returns the layers {material, shadow} that draw a material in a style. A layer has the material itself, or a variant
+ * that has to be disposed of. */
 export function layersFor(material, style) {
-  const [name, height] = style.split(':');
+  const name = style.split(':')[0], height = cutHeight(style);
   const layers = inStyle(material, name);
-  if (height === undefined || name === 'faded') return layers;
-  return layers.flatMap((layer) => cutBelow(layer.material, Number(height)));
+  if (height === Infinity || name === 'faded') return layers;
+  return layers.flatMap((layer) => cutBelow(layer.material, height));
 }
 
 /** Returns the height at which a style cuts things off, or infinity. */
 export function cutHeight(style) {
   const height = style.split(':')[1];
-  return height === undefined ? Infinity : Number(height);
+  return height ? Number(height) : Infinity;
+}
+
+export function isFar(style) {
+  return style.endsWith(':far');
 }
 
 /** Returns a material that lies over an object to say that it is the selected one. */

@@ -15,9 +15,15 @@ function turnedBy(from, to) {
   return (((to - from) % 360) + 540) % 360 - 180;
 }
 
+/** Returns a name without the number that tells things of that name apart. */
+function kind(name) {
+  return name?.replace(/ \(\d+\)$/, '');
+}
+
 /** Returns in words how one object became the other: "moved 1.50 m", "turned 90°". */
 export function changes(left, right) {
   const words = [];
+  if (kind(left.name) !== kind(right.name)) words.push(`now ${kind(right.name)}`);
   if (left.shape !== right.shape) words.push('another shape');
   const moved = distance(left.center, right.center);
   if (moved > kSamePlace) words.push(`moved ${metres(moved)}`);

@@ -38,7 +38,8 @@ export class Controls {
 
   #changeView() {
     const is3d = this.view.value === '3D';
-    this.walk.disabled = this.resetButton.disabled = !is3d;
+    this.walk.disabled = !is3d;
+    this.resetButton.disabled = this.view.value === '';
     if (!is3d) this.#setWalking(false);
     this.act.view(this.view.value);
   }

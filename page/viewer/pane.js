@@ -8,14 +8,15 @@ const kKeys = 'Arrow keys turn the view, + and - zoom; while walking, arrow keys
   'The list of objects selects what is in the scene.';
 
 export class Pane {
-  /** `told.selected(object, pane)` is called when somebody picks, `told.moved(pane)` when the camera has moved. */
+  /** `told.selected(object, pane)` is called when somebody picks, `told.moved(pane)` when the view has moved. */
   constructor(source, solution, told) {
     Object.assign(this, { source, solution, told });
     this.canvas = element('canvas', {
       tabIndex: 0, role: 'application', 'aria-label': `Scene of ${solution.name}`, 'aria-description': kKeys,
       onkeydown: (event) => this.#key(event, true), onkeyup: (event) => this.#key(event, false),
     });
-    this.drawing = new Drawing((address) => this.#pickAddress(address));
+    this.drawing = new Drawing(`Drawing of ${solution.name}`, (address) => this.#pickAddress(address),
+                               () => told.moved(this));
     this.message = element('p', { className: 'message', role: 'status' }, 'Loading …');
     this.caption = element('p', { className: 'caption', 'aria-hidden': 'true' }, solution.name);
     this.element = element('section', { className: 'pane', 'aria-label': solution.name },
@@ -59,7 +60,8 @@ export class Pane {
   }
 
   reset() {
-    this.stage?.reset();
+    if (this.canvas.hidden) this.drawing.reset();
+    else this.stage.reset();
   }
 
   hold(movement, isHeld) {
@@ -68,6 +70,7 @@ export class Pane {
 
   follow(pane) {
     if (this.stage && pane.stage) this.stage.follow(pane.stage);
+    this.drawing.follow(pane.drawing);
   }
 
   select(object) {
@@ -77,7 +80,7 @@ export class Pane {
   }
 
   focus() {
-    if (!this.canvas.hidden) this.canvas.focus();
+    [this.canvas, this.drawing.element].find((each) => !each.hidden)?.focus();
   }
 
   dispose() {
