@@ -5,11 +5,13 @@
 #include "app/report.h"
 #include "app/signals.h"
 #include "app/tiles_options.h"
+#include "app/tiles_page.h"
 #include "app/tiles_scene.h"
 #include "base/stop_signal.h"
 #include "engines/tiles/job/job.h"
 #include "engines/tiles/request/request_error.h"
 #include "scene/atomic_file.h"
+#include "scene/gltf/writer.h"
 
 namespace solitaire::app {
 namespace {
@@ -72,7 +74,7 @@ std::string stem(const TilesOptions& options) {
 void write_map(const tiles::Job& job, const Options& options, const std::string& name, const fs::path& file) {
   const std::string format = file.extension().string().substr(1);
   if (format == "glb") {
-    write_tiles_scene(job, name, fs::path(options.tiles->job.inputs.front()).parent_path(), file);
+    write_glb(tiles_scene(job, name, fs::path(options.tiles->job.inputs.front()).parent_path()), file);
   } else {
     write_file_atomically(file, job.file(format, options.tiles->pixels, options.output));
   }
@@ -100,6 +102,7 @@ ExitStatus tell_ending(const tiles::Job& job, tiles::JobEnding ending, std::uint
 
 ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog) {
   make_folder(options.output);
+  TilesPage page(options, stem(*options.tiles));
   std::uint64_t delivered = 0;
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
@@ -107,9 +110,11 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
       const std::string name = fmt::format("{}-{:04}", stem(*options.tiles), number);
       write_map(job, options, name, options.output / fmt::format("{}.{}", name, format));
     }
+    page.add(job, number);
     delivered = number;
   });
   const auto lock = watchdog.delivering();
+  page.close();
   return watchdog.conclude(tell_ending(job, ending, delivered, options));
 }
 

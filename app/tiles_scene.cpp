@@ -5,8 +5,6 @@
 #include "base/installation.h"
 #include "scene/assets.h"
 #include "scene/build_scene.h"
-#include "scene/gltf/writer.h"
-#include "scene/scene.h"
 
 namespace solitaire::app {
 namespace {
@@ -29,12 +27,11 @@ PlacedThing thing_of(const tiles::ShownTile& tile) {
 
 }  // namespace
 
-void write_tiles_scene(const tiles::Job& job, const std::string& title, const std::filesystem::path& folder,
-                       const std::filesystem::path& file) {
+Scene tiles_scene(const tiles::Job& job, const std::string& title, const std::filesystem::path& folder) {
   AssetLibrary assets(find_data_folder() / "assets", folder);
   std::vector<PlacedThing> things;
   for (const tiles::ShownTile& tile : job.shown_tiles()) things.push_back(thing_of(tile));
-  write_glb(build_scene(things, 1.0, title, assets), file);
+  return build_scene(things, 1.0, title, assets);
 }
 
 }  // namespace solitaire::app

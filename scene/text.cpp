@@ -1,5 +1,6 @@
 #include "scene/text.h"
 
+#include <fmt/format.h>
 #include <iterator>
 #include <utf8.h>
 #include <utf8/unchecked.h>
@@ -57,6 +58,19 @@ std::string escape_markup(std::string_view text) {
     }
   }
   return escaped;
+}
+
+std::string relative_link(std::string_view file) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
+  std::string link = "./";
+  for (const char c : file) {
+    if (kPlain.find(c) != std::string_view::npos) {
+      link += c;
+    } else {
+      link += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return link;
 }
 
 bool has_word(std::string_view text, std::string_view word) {

@@ -10,6 +10,10 @@ std::string clean_text(std::string_view text);
 /// Returns clean_text(text), escaped for element content and quoted attributes of HTML and SVG alike.
 std::string escape_markup(std::string_view text);
 
+/// Returns a link to a file beside the page, whatever characters its name has. "./" keeps "a:b.glb" from
+/// being a scheme.
+std::string relative_link(std::string_view file);
+
 /// Returns true if the text has this as one of its words, which end where a letter is followed by something
 /// else.
 bool has_word(std::string_view text, std::string_view word);

@@ -12,20 +12,6 @@ std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-/// Returns a link to the file, whatever characters its name has. "./" keeps "a:b.glb" from being a scheme.
-std::string href(std::string_view file) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
-  std::string link = "./";
-  for (const char c : file) {
-    if (kPlain.find(c) != std::string_view::npos) {
-      link += c;
-    } else {
-      link += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return link;
-}
-
 std::string fact(std::string_view name, std::string_view value) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escape_markup(name), escape_markup(value));
 }
@@ -38,21 +24,21 @@ std::string header(const GalleryInfo& info, std::size_t solutions) {
   return fmt::format("<header>\n<h1>{}</h1>\n<dl>\n{}</dl>\n</header>\n", escape_markup(info.title), facts);
 }
 
-std::string image(std::string_view file, std::string_view what, std::string_view name) {
-  return fmt::format("<img src=\"{}\" alt=\"{} of {}\" loading=\"lazy\">\n", href(file), what,
-                     escape_markup(name));
+std::string image(std::string_view file, std::string_view what, const GalleryEntry& entry) {
+  return fmt::format("<img src=\"{}\" alt=\"{} of {}\" loading=\"lazy\"{}>\n", relative_link(file), what,
+                     escape_markup(entry.name), entry.has_sharp_pixels ? " class=\"sharp\"" : "");
 }
 
 std::string view(const GalleryEntry& entry) {
-  if (!entry.picture.empty()) return image(entry.picture, "Picture", entry.name);
-  if (!entry.plan.empty()) return image(entry.plan, "Drawing", entry.name);
+  if (!entry.picture.empty()) return image(entry.picture, "Picture", entry);
+  if (!entry.plan.empty()) return image(entry.plan, "Drawing", entry);
   return fmt::format("<p class=\"value alone\">{}</p>\n",
                      entry.value.empty() ? "no value" : escape_markup(entry.value));
 }
 
 std::string link(std::string_view file, std::string_view text, std::string_view of) {
   if (file.empty()) return "";
-  return fmt::format("<a href=\"{}\" title=\"{}\">{}</a>", href(file), escape_markup(of), text);
+  return fmt::format("<a href=\"{}\" title=\"{}\">{}</a>", relative_link(file), escape_markup(of), text);
 }
 
 std::string card(const GalleryEntry& entry) {

@@ -26,6 +26,7 @@ struct GalleryEntry {
   std::vector<std::string> remarks;  // lines below the value
   std::string picture;               // a PNG's file name, or "" where the plan stands for it
   std::string facts = "{}";          // a JSON object: what the page sorts and filters solutions by
+  bool has_sharp_pixels = false;     // the picture's pixels are not blurred where it is enlarged
 };
 
 /// Returns an HTML page that shows the entries in the order given. The scripts and the style sheet in page/

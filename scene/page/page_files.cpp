@@ -36,11 +36,12 @@ Json walls_of(const Scene& scene) {
   return walls;
 }
 
-Json views_json(const std::vector<View>& views) {
-  Json json = Json::array();
+/// Adds the drawings to what is said of a solution.
+void say(const std::vector<View>& views, Json& said) {
+  Json& json = said["views"];
+  if (json.is_null()) json = Json::array();
   for (const View& view : views)
     json.push_back({{"kind", view.kind}, {"title", view.title}, {"svg", view.svg}});
-  return json;
 }
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -70,7 +71,7 @@ SolutionFiles PageFiles::add(const std::string& name, const Scene* scene, std::s
       files.drawing = fmt::format("{}/{}.svg", kBeside, name);
       write_file_atomically(folder_ / files.drawing, views.back().svg);
     }
-    said["views"] = views_json(views);
+    say(views, said);
     said["walls"] = walls_of(*scene);
   }
   Json packed{{"about", deflated_base64(text_of(said))}};

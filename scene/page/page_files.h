@@ -24,7 +24,8 @@ class PageFiles {
   PageFiles(std::filesystem::path folder, std::filesystem::path program);
 
   /// Writes a solution's files. `scene` and the bytes of its .glb are nullptr and "" where it places nothing.
-  /// `about` is a JSON object with what there is to say beside that.
+  /// `about` is a JSON object with what there is to say beside that; the scene's drawings are added to
+  /// "views".
   SolutionFiles add(const std::string& name, const Scene* scene, std::string_view glb,
                     const std::string& about);
 

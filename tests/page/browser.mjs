@@ -25,11 +25,16 @@ export async function workplace() {
   return { path, remove: () => rm(path, { recursive: true }) };
 }
 
+/** Runs the program. */
+export async function ran(...args) {
+  await promisify(execFile)(kProgram, args);
+}
+
 /** Runs `solitaire generate` on a program's text, and returns the page's address. */
 export async function generated(folder, name, text, ...options) {
   const script = join(folder, `${name}.sol`), output = join(folder, name);
   await writeFile(script, text);
-  await promisify(execFile)(kProgram, ['generate', script, '-o', output, ...options]);
+  await ran('generate', script, '-o', output, ...options);
   return pathToFileURL(join(output, 'index.html')).href;
 }
 

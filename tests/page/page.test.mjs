@@ -4,7 +4,8 @@ import { readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { generated, launched, opened, ready, workplace } from './browser.mjs';
+import { pathToFileURL } from 'node:url';
+import { generated, launched, opened, ran, ready, workplace } from './browser.mjs';
 import { areas, kColours, seen, share } from './pixels.mjs';
 import { texturedModel } from './textured_model.mjs';
 
@@ -167,6 +168,65 @@ test('one walks at eye height, and not through things', async () => {
     await page.getByRole('button', { name: 'Walk', exact: true }).click();
     assert.deepEqual((await seen(page, canvasOf(page))).data, whole.data);
   });
+});
+
+// A passage of 1.4 x 6 m with a wall across its middle, a step of 20 cm before that and a green box behind; in one of two
+// solutions the wall has a door.
+const kPassage = `
+door = flip();
+place("", at: [0, 0, 0], size: [1.4, 6, 0.1], color: [0.9, 0.9, 0.9], name: "floor");
+for side in [0, 1.3]: place("", at: [side, 0, 0.1], size: [0.1, 6, 2.5], color: [0.9, 0.9, 0.9], name: "wall");
+place("", at: [0.1, 2, 0.1], size: [1.2, 3.8, 0.2], color: [0.9, 0.9, 0.9], name: "step");
+place("", at: [0.1, 3, 0.1], size: [1.2, 0.2, 2.5], color: [0.9, 0.9, 0.9], name: "wall");
+if door then place("door", at: [0.25, 2.98, 0.3]);
+place("", at: [0.2, 5.3, 0.3], size: [1, 0.5, 2], color: [0.05, 0.7, 0.05], name: "green box");
+return door;
+`;
+
+/** Lets somebody walk for so many seconds: a frame that takes longer than a tenth of a second counts as one. */
+async function walking(page, seconds) {
+  await page.evaluate((wanted) => new Promise((done) => {
+    let last = performance.now(), walked = 0;
+    const tick = (now) => {
+      walked += Math.min((now - last) / 1000, 0.1);
+      last = now;
+      if (walked < wanted) requestAnimationFrame(tick);
+      else done();
+    };
+    requestAnimationFrame(tick);
+  }), seconds);
+}
+
+test('one walks up steps and through doors, and walls stop: by keys and by touch', async () => {
+  const address = await generated(folder.path, 'passage', kPassage, '--all');
+  const walks = async (page, hasDoor) => {
+    const card = page.locator('article', { has: page.locator('.value', { hasText: String(hasDoor) }) });
+    await card.locator('h2 a').click();
+    await ready(page);
+    await page.getByRole('button', { name: 'Walk', exact: true }).focus();
+    await page.keyboard.press('Enter');
+    const green = async () => share(await seen(page, canvasOf(page)), kColours.green);
+    assert.equal(await green(), 0, 'the wall or the closed door hides it');
+    return green;
+  };
+  await withPage(address, async (page) => {
+    const green = await walks(page, true);
+    await page.keyboard.down('w');
+    await walking(page, 3);
+    await page.keyboard.up('w');
+    assert.ok(await green() > 0.3, 'behind the door');
+  });
+  await withPage(address, async (page) => {
+    const green = await walks(page, false);
+    const forward = page.getByRole('button', { name: 'Forward' });
+    await forward.dispatchEvent('pointerdown', { pointerType: 'touch' });
+    await walking(page, 2);
+    const stopped = await seen(page, canvasOf(page));
+    await walking(page, 0.5);
+    await forward.dispatchEvent('pointerup', { pointerType: 'touch' });
+    assert.deepEqual((await seen(page, canvasOf(page))).data, stopped.data);
+    assert.equal(await green(), 0);
+  }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 });
 
 test('two solutions side by side: what differs keeps its colour, what is the same fades', async () => {
@@ -415,6 +475,40 @@ async function paintOf(page) {
   await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length > 0);
   return page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
 }
+
+test('maps of tiles: a grid of sharp pictures, which one comes closer to and compares', async () => {
+  const exemplar = join(folder.path, 'checks.txt'), output = join(folder.path, 'checks');
+  await writeFile(exemplar, 'aab\naba\nbaa\n');
+  await ran('tiles', exemplar, '-W', '6', '-H', '4', '-n', '3', '--sampler', 'wfc', '--format', 'txt,glb', '-o', output);
+  const address = pathToFileURL(join(output, 'index.html')).href;
+  await withPage(address, async (page) => {
+    assert.deepEqual(await shownNames(page), ['checks-0001', 'checks-0002', 'checks-0003']);
+    const { width, rendering } = await page.locator('article img').first().evaluate(async (image) => {
+      await image.decode();
+      return { width: image.naturalWidth, rendering: getComputedStyle(image).imageRendering };
+    });
+    assert.deepEqual([width, rendering], [48, 'pixelated']);
+    const [first] = (await readFile(join(output, 'checks-0001.txt'), 'utf8')).split('\n');
+    await page.getByLabel('Filter').fill(`0,3=${first[0]}`);  // the tile at the top left
+    await arranged(page);
+    assert.ok((await shownNames(page)).includes('checks-0001'));
+    await page.goto(`${address}#open-1`);
+    await ready(page);
+    assert.equal(await panelOf(page).getByLabel('Objects').locator('option').count(), 24);
+    await page.getByLabel('View', { exact: true }).selectOption('Map');
+    const shown = () => page.locator('.drawing svg').evaluate((svg) => svg.viewBox.baseVal.width);
+    assert.equal(await shown(), 48);
+    const drawing = page.locator('.drawing');
+    await drawing.press('+');
+    assert.equal((await shown()).toFixed(3), (48 / 1.25).toFixed(3));
+    await drawing.hover();
+    await page.mouse.wheel(0, -200);
+    await page.waitForFunction(() => document.querySelector('.drawing svg').viewBox.baseVal.width < 30);
+    await page.getByRole('button', { name: 'Reset view' }).click();
+    assert.equal(await shown(), 48);
+    assert.deepEqual(await findings(page), []);
+  });
+});
 
 test('a thousand solutions: the page is quick, and loads a scene only when it is opened', async () => {
   const address = await generated(folder.path, 'many', 'x = range(1, 1000);\nplace("", at: [x, 0], size: [1, 1, 1]);\nreturn x;',

@@ -63,12 +63,3 @@ export function share({ width, height, data }, isColour) {
   for (let at = 0; at < data.length; at += 4) count += isColour(data.subarray(at, at + 3)) ? 1 : 0;
   return count / (width * height);
 }
-
-/** Returns a picture that is red where two pictures of the same size differ, else black. */
-export function changed({ width, height, data }, other) {
-  const differs = Buffer.alloc(data.length);
-  for (let at = 0; at < data.length; at += 4) {
-    if (data.compare(other.data, at, at + 3, at, at + 3) !== 0) differs[at] = 255;
-  }
-  return { width, height, data: differs };
-}

@@ -1,0 +1,42 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "engines/tiles/job/job.h"
+#include "scene/page/page_files.h"
+
+namespace solitaire::app {
+
+/// The page of a run's maps. It shows each as a picture, and in 3D those that have models or layers, and
+/// takes the tile of a place for a choice: maps are filtered, compared and sorted by distance so.
+class TilesPage {
+ public:
+  /// `stem` is the name of the maps' files without number and ending.
+  TilesPage(const Options& options, std::string stem);
+
+  /// Puts the map that the job delivers onto the page, with the files that it has in `options.output`.
+  void add(const tiles::Job& job, std::uint64_t number);
+  /// Writes the page. Does nothing if there is no map.
+  void close() const;
+
+ private:
+  bool has_format(const std::string& format) const;
+  std::string file_of(const std::string& name, const std::string& format) const;
+  std::size_t position_of(const std::string& address);
+  void add_row(const std::vector<tiles::ShownTile>& tiles);
+
+  const Options& options_;
+  std::string stem_;
+  PageFiles page_;
+  std::vector<GalleryEntry> entries_;
+  std::vector<std::string> addresses_;  // of the places, in the order in which they were met
+  std::map<std::string, std::size_t> positions_;
+  std::string rows_;  // the maps' tiles, as choices.js has them
+};
+
+}  // namespace solitaire::app
