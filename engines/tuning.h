@@ -31,6 +31,10 @@ constexpr std::uint32_t kFuelGrowth = 4;
 /// milliseconds.
 constexpr std::size_t kMostWindowWork = 1'000'000;
 constexpr std::int64_t kLongestWindow = 1'000'000'000;
+/// The sums that are looked at for some that ask for too much have so many terms at most, by themselves and
+/// in all, and ranges are narrowed so often. Judgement: reading as many takes some milliseconds.
+constexpr std::size_t kMostLinearTerms = 20'000;
+constexpr std::size_t kMostNarrowings = 8;
 /// Passes after which a program counts as one with endlessly many paths. Judgement.
 constexpr std::size_t kMostPasses = 200;
 /// Passes that look for choices which a pin names before the pin counts as wrong. Judgement.
@@ -115,6 +119,12 @@ constexpr double kLeastEffective = 400;
 
 /// The dissertation's "all values represented as 16-bit integers" (section 4.2.1).
 constexpr unsigned kPublishedWidth = 16;
+
+/// Conflicts of the search after which the question for a better solution is given up at first, and by how
+/// much more it gets once all such questions have been given up. Judgement: some tenths of a second.
+constexpr std::uint64_t kEffortForBetter = 5000;
+constexpr std::uint64_t kEffortGrowth = 4;
+constexpr std::uint64_t kMostEffortForBetter = std::uint64_t{1} << 40;  // no solver comes to that
 
 /// Conflicts of the search after which the question whether a near miss can come nearer is given up.
 constexpr std::uint64_t kEffortForNearness = 2000;

@@ -147,14 +147,18 @@ std::string words_of(const solitaire::Condition& condition, const ExplanationCon
 
 namespace {
 
-/// Returns "17 things that do not overlap need an area of 68, and lie within one of 64", or "" where that is
-/// not the reason.
+/// Returns "17 things that do not overlap need an area of 68, and lie within one of 64", "added up, these
+/// conditions ask for 84 at least, and allow 64 at most", or "" where that is not the reason.
 std::string reason_of(const solitaire::Conflict& conflict) {
   if (!conflict.room) return "";
   const OverFull& room = *conflict.room;
   if (room.is_area) {
     return fmt::format("{} things that do not overlap need an area of {}, and lie within one of {}",
                        room.things, room.needed, room.available);
+  }
+  if (room.is_sum) {
+    return fmt::format("added up, these conditions ask for {} at least, and allow {} at most", room.needed,
+                       room.available);
   }
   if (room.needed == static_cast<std::int64_t>(room.things))
     return fmt::format("{} ints that all differ lie among {} values", room.things, room.available);

@@ -72,6 +72,11 @@ inline constexpr int kReductionInterval = 1'000;
 /// CaDiCaL asks all the time whether it should stop; the clock is looked at once in so many times.
 inline constexpr unsigned kCadicalQuestionsPerLook = 256;
 
+// ---- Z3 (z3/)
+
+/// The resources that Z3 counts for a linear program; about a second.
+inline constexpr unsigned kMostLinearEffort = 5'000'000;
+
 // ---- CryptoMiniSat (xor/)
 
 /// The stop signal is looked at after so many conflicts.

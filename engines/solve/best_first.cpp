@@ -79,23 +79,37 @@ void BestFirst::limit_time(Clock::time_point start) {
   stop_.set_deadline(start + std::chrono::duration_cast<Clock::duration>(time));
 }
 
-/// Makes the solution better until it is proved that no better one is left, or a limit comes.
+/// Makes the solution better until it is proved that no better one is left, or a limit comes. A question that
+/// takes long is given up, and an easier one asked, for a solution that is better by less. Once all have been
+/// given up, they get more time. So one that cannot be decided keeps nobody from what can be found.
 void BestFirst::improve(Candidate& best, const Search& search, const Told& told) {
   if (solver_.trace().blockers.empty())
     proved_ = std::max(proved_, solver_.graph().node(objective_).interval.lo);
   stride_ = 1;
+  std::uint64_t effort = tuning::kEffortForBetter;
+  std::int64_t given_up = proved_;  // what would be better than this was given up
   while (best.rank > proved_) {
     if (told) told(best.solution);
-    const std::int64_t most = target(best.rank);
+    given_up = std::max(given_up, proved_);
+    if (given_up >= best.rank) {
+      if (effort > tuning::kMostEffortForBetter) break;
+      given_up = proved_;
+      effort *= tuning::kEffortGrowth;
+    }
+    const std::int64_t most = target(best.rank, given_up);
+    solver_.limit_effort(effort);
     Attempt better = search({most, {}});
     if (better.found) {
       best = std::move(*better.found);
     } else if (better.ending == Ending::kExhausted) {
       proved_ = most + 1;
+    } else if (better.ending == Ending::kStopped && !stop_.stopped()) {
+      given_up = most + 1;
     } else {
       break;  // the next search will find whether it has to end
     }
   }
+  solver_.limit_effort(0);
   last_was_best_ = best.rank <= proved_;
   best.solution.quality->proved = last_was_best_;
 }
@@ -119,9 +133,9 @@ void BestFirst::bring_near(Candidate& best, const Search& search) {
   best.solution.quality->proved = proved;
 }
 
-/// A rank below this one: half way to what is impossible, or by strides that grow.
-std::int64_t BestFirst::target(std::int64_t rank) {
-  if (proved_ != INT64_MIN) return proved_ + (rank - 1 - proved_) / 2;
+/// A rank below this one: half way to what is impossible or was given up, or by strides that grow.
+std::int64_t BestFirst::target(std::int64_t rank, std::int64_t given_up) {
+  if (given_up != INT64_MIN) return given_up + (rank - 1 - given_up) / 2;
   const std::int64_t target = std::max(rank - stride_, -kIntLimit);
   if (stride_ < kIntLimit / 4) stride_ *= 2;
   return target;

@@ -24,9 +24,9 @@ struct Attempt {
 };
 
 /// Finds the best solution that is left, where the program has wishes or its asserts may be broken: by
-/// bisection between the best so far and what has been proved impossible. Where solutions are all as good,
-/// the first one that is found is the best. A near miss is then brought as near to the asserts as a bounded
-/// effort allows.
+/// bisection between the best so far and what has been proved impossible, or takes longer than the rest.
+/// Where solutions are all as good, the first one that is found is the best. A near miss is then brought as
+/// near to the asserts as a bounded effort allows.
 class BestFirst {
  public:
   /// What a solution may come to at most; without a number, to anything.
@@ -61,7 +61,7 @@ class BestFirst {
  private:
   void improve(Candidate& best, const Search& search, const Told& told);
   void bring_near(Candidate& best, const Search& search);
-  std::int64_t target(std::int64_t rank);
+  std::int64_t target(std::int64_t rank, std::int64_t given_up);
   bool needs_no_search() const;
   void limit_time(Clock::time_point start);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "engines/solve/separations.h"
+#include "engines/solve/sum_conflict.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
@@ -76,8 +78,9 @@ std::optional<OverFull> ConditionSolver::over_full(const Conditions& conditions)
   for (const TracedCondition& each : all()) {
     if (conditions.count(each.condition) != 0) nodes.push_back(each.holds);
   }
-  std::vector<OverFull> found = find_over_full(graph_, nodes);
-  return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+  const Separations separations = find_separations(graph_, nodes);
+  std::vector<OverFull> found = find_over_full(graph_, separations);
+  return found.empty() ? find_sum_conflict(graph_, separations.comparisons) : std::move(found.front());
 }
 
 std::set<AddressId> ConditionSolver::choices_below(const Conditions& conditions) {

@@ -7,6 +7,7 @@
 #include "engines/errors.h"
 #include "engines/random_choices.h"
 #include "engines/solve/over_full.h"
+#include "engines/solve/sum_conflict.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
@@ -60,13 +61,30 @@ void ExecutionSolver::sync() {
 /// Tells the solver which conditions cannot hold together since there is too little room, which it would find
 /// out in very many steps, or never. These clauses are true of all ints, whatever is required.
 void ExecutionSolver::tell_over_full() {
-  std::vector<NodeId> conditions;
-  for (const Term& term : trace().hard_terms) conditions.push_back(term.node);
-  for (const OverFull& found : find_over_full(graph_, conditions)) {
-    std::vector<NodeId> clause;
-    for (const NodeId condition : found.conditions) clause.push_back(graph_.negation(condition));
-    solver_->add_clause(clause);
-  }
+  std::vector<NodeId> required, others;
+  for (const Term& term : trace().hard_terms)
+    (term.guard == kTrue && firm_(term) ? required : others).push_back(term.node);
+  Separations separations = find_separations(graph_, required);
+  comparisons_ = separations.comparisons;
+  add_separations(graph_, others, separations);
+  for (const OverFull& found : find_over_full(graph_, separations)) tell(found);
+}
+
+/// Does the same for sums that ask for more than others allow, if what is required and assumed says so.
+void ExecutionSolver::tell_sum_conflict(const std::vector<NodeId>& assumptions) {
+  if (options_.method->asserts_closed_sides()) return;
+  if (assumptions.empty() && counted_pass_ == synced_pass_) return;
+  counted_pass_ = synced_pass_;
+  std::vector<SignedNode> comparisons = comparisons_;
+  const Separations assumed = find_separations(graph_, assumptions);
+  comparisons.insert(comparisons.end(), assumed.comparisons.begin(), assumed.comparisons.end());
+  if (const auto found = find_sum_conflict(graph_, comparisons)) tell(*found);
+}
+
+void ExecutionSolver::tell(const OverFull& conflict) {
+  std::vector<NodeId> clause;
+  for (const NodeId condition : conflict.conditions) clause.push_back(graph_.negation(condition));
+  solver_->add_clause(clause);
 }
 
 void ExecutionSolver::suggest_random_values(std::uint64_t index) {
@@ -135,6 +153,7 @@ ExecutionSolver::Outcome ExecutionSolver::find_explored(const Conditions& condit
     return Outcome::kStopped;
   }
   std::vector<NodeId> assumptions = conditions();
+  tell_sum_conflict(assumptions);
   const std::vector<NodeId> closed = closed_sides(ends);
   assumptions.insert(assumptions.end(), closed.begin(), closed.end());
   switch (check(std::move(assumptions))) {

@@ -10,6 +10,8 @@
 #include "engines/solution_stream.h"
 #include "engines/solve/explore.h"
 #include "engines/solve/options.h"
+#include "engines/solve/over_full.h"
+#include "engines/solve/separations.h"
 #include "engines/times.h"
 #include "smt/solver.h"
 #include "solitaire/run/evaluator.h"
@@ -105,6 +107,8 @@ class ExecutionSolver {
  private:
   void sync();
   void tell_over_full();
+  void tell_sum_conflict(const std::vector<NodeId>& assumptions);
+  void tell(const OverFull& conflict);
   std::vector<NodeId> closed_sides(Ends ends) const;
   Verdict check(std::vector<NodeId> assumptions);
   std::vector<std::size_t> blockers_in_core() const;
@@ -122,6 +126,8 @@ class ExecutionSolver {
   StopSignal never_;
   EngineTimes times_;
   std::size_t synced_pass_ = 0;
+  std::vector<SignedNode> comparisons_;  // that every execution fulfils
+  std::size_t counted_pass_ = 0;         // the pass whose sums were looked at
 };
 
 /// Says why there is no further solution when the search for one came to this.

@@ -8,7 +8,6 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "engines/solve/separations.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
@@ -249,7 +248,10 @@ class Rooms {
 }  // namespace
 
 std::vector<OverFull> find_over_full(Graph& graph, const std::vector<NodeId>& conditions) {
-  const Separations separations = find_separations(graph, conditions);
+  return find_over_full(graph, find_separations(graph, conditions));
+}
+
+std::vector<OverFull> find_over_full(Graph& graph, const Separations& separations) {
   const Things things(separations.pairs);
   std::vector<OverFull> found;
   for (std::vector<std::size_t>& group : groups_of(things.all())) {

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engines/solve/separations.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -13,6 +14,7 @@ struct OverFull {
   std::int64_t needed = 0;         // the sum of their lengths, or of their areas
   std::int64_t available = 0;      // the length or area within which all of them lie
   bool is_area = false;
+  bool is_sum = false;  // sums ask for so much, and allow so much, see sum_conflict.h
 };
 
 /// Looks in conditions for things that pairwise do not overlap, and returns groups of them that need more
@@ -29,5 +31,6 @@ struct OverFull {
 /// time is linear in the conditions' nodes, but for things of which many are kept apart from many: there it
 /// is by the number of pairs, and that of windows, of which only some are tried where there are very many.
 std::vector<OverFull> find_over_full(Graph& graph, const std::vector<NodeId>& conditions);
+std::vector<OverFull> find_over_full(Graph& graph, const Separations& separations);
 
 }  // namespace solitaire

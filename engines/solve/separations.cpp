@@ -171,21 +171,28 @@ std::optional<Separation> separation_of(const Graph& graph, const ConditionReade
 }  // namespace
 
 Separations find_separations(const Graph& graph, const std::vector<NodeId>& conditions) {
-  const ConditionReader reader(graph);
   Separations found;
+  add_separations(graph, conditions, found);
+  return found;
+}
+
+void add_separations(const Graph& graph, const std::vector<NodeId>& conditions, Separations& found) {
+  const ConditionReader reader(graph);
   BoundsReader bounds(graph, found.bounds);
   std::unordered_set<std::uint64_t> seen;
   for (const NodeId condition : conditions) {
     reader.for_each_part(Op::kAnd, {condition}, seen, [&](SignedNode part) {
       if (const auto before = reader.before(part)) {
         bounds.add(*before, part);
+        found.comparisons.push_back(part);
+      } else if (part.holds && graph.node(part.node).op == Op::kEqInt) {
+        found.comparisons.push_back(part);
       } else if (auto pair = separation_of(graph, reader, part)) {
         found.pairs.push_back(*pair);
       }
       return true;
     });
   }
-  return found;
 }
 
 }  // namespace solitaire

@@ -38,6 +38,7 @@ struct Separation {
 /// What conditions say about things that must not overlap, and about where ints lie.
 struct Separations {
   std::vector<Separation> pairs;
+  std::vector<SignedNode> comparisons;  // of ints, by <, <= and ==
   std::unordered_map<NodeId, IntBounds>
       bounds;  // of ints for which a condition says more than their interval
 
@@ -52,5 +53,7 @@ struct Separations {
 /// condition that keeps things apart says that two ints differ, or is a disjunction of comparisons by which
 /// one thing ends before the other begins, either way round, along one axis or two.
 Separations find_separations(const Graph& graph, const std::vector<NodeId>& conditions);
+/// Adds what further conditions say.
+void add_separations(const Graph& graph, const std::vector<NodeId>& conditions, Separations& found);
 
 }  // namespace solitaire

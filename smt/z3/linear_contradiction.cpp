@@ -1,0 +1,94 @@
+#include "smt/z3/linear_contradiction.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "smt/tuning.h"
+#include "smt/z3/context.h"
+
+namespace solitaire {
+namespace {
+
+/// The question for multipliers, as a system of linear inequalities.
+class Multipliers {
+ public:
+  Multipliers(std::span<const LinearRow> rows, std::span<const Interval> ranges)
+      : ranges_(ranges), solver_(context_, "QF_LRA") {
+    z3::params params(context_);
+    params.set("rlimit", tuning::kMostLinearEffort);
+    params.set("ctrl_c", false);
+    solver_.set(params);
+    for (std::size_t i = 0; i < ranges.size(); ++i) factors_.emplace_back(context_);  // copies would be one
+    for (const LinearRow& row : rows) add(row);
+    // The least that the sum of all rows can be: its factors times the lower ends of the ranges, and less by
+    // the ranges' widths where a factor is negative.
+    for (std::size_t i = 0; i < ranges_.size(); ++i) add_least(i);
+    solver_.add(z3::sum(least_) > z3::sum(most_));
+  }
+
+  std::optional<std::vector<std::int64_t>> find() {
+    if (solver_.check() != z3::sat) return std::nullopt;
+    const z3::model model = solver_.get_model();
+    std::vector<std::int64_t> numerators, denominators;
+    std::int64_t common = 1;
+    for (const z3::expr& multiplier : multipliers_) {
+      const z3::expr value = model.eval(multiplier, true);
+      std::int64_t numerator = 0, denominator = 1;
+      if (Z3_get_numeral_rational_int64(context_, value, &numerator, &denominator) == 0) return std::nullopt;
+      if (__builtin_mul_overflow(common / std::gcd(common, denominator), denominator, &common))
+        return std::nullopt;
+      numerators.push_back(numerator);
+      denominators.push_back(denominator);
+    }
+    for (std::size_t i = 0; i < numerators.size(); ++i) {
+      if (__builtin_mul_overflow(numerators[i], common / denominators[i], &numerators[i]))
+        return std::nullopt;
+    }
+    return numerators;
+  }
+
+ private:
+  z3::expr number(std::int64_t value) { return context_.real_val(value); }
+
+  z3::expr at_least_zero(unsigned index) {
+    const z3::expr made(context_, Z3_mk_const(context_, Z3_mk_int_symbol(context_, static_cast<int>(index)),
+                                              context_.real_sort()));
+    solver_.add(made >= 0);
+    return made;
+  }
+
+  void add(const LinearRow& row) {
+    const z3::expr multiplier = at_least_zero(made_++);
+    multipliers_.push_back(multiplier);
+    most_.push_back(multiplier * number(row.most));
+    for (const LinearTerm& term : row.terms)
+      factors_[term.unknown].push_back(multiplier * number(term.factor));
+  }
+
+  void add_least(std::size_t unknown) {
+    if (factors_[unknown].empty()) return;
+    const Interval range = ranges_[unknown];
+    const z3::expr factor = z3::sum(factors_[unknown]);
+    const z3::expr negative = at_least_zero(made_++);
+    solver_.add(negative + factor >= 0);
+    least_.push_back(factor * number(range.lo) - negative * number(range.hi - range.lo));
+  }
+
+  Z3Context owned_;
+  z3::context& context_ = *owned_;
+  std::span<const Interval> ranges_;
+  z3::solver solver_;
+  unsigned made_ = 0;
+  std::vector<z3::expr> multipliers_;
+  std::vector<z3::expr_vector> factors_;  // by unknown: those that it has in the sum
+  z3::expr_vector least_{context_}, most_{context_};
+};
+
+}  // namespace
+
+std::optional<std::vector<std::int64_t>> find_contradiction(std::span<const LinearRow> rows,
+                                                            std::span<const Interval> ranges) {
+  return Z3Context::run([&] { return Multipliers(rows, ranges).find(); });
+}
+
+}  // namespace solitaire
