@@ -22,12 +22,19 @@ double number(Scalar value, Type type) {
 
 }  // namespace
 
-Kernel::Kernel(ScoreProgram program)
-    : program_(std::move(program)), slices_(slices_of(program_)), compiled_(slices_.size()) {
+Kernel::Kernel(ScoreProgram program, bool compiles)
+    : program_(std::move(program)),
+      slices_(slices_of(program_)),
+      compiles_(compiles),
+      compiled_(slices_.size()) {
   std::size_t longest = 0;
-  for (const Slice& slice : slices_) longest = std::max(longest, slice.changes.size());
+  for (const Slice& slice : slices_) longest = std::max(longest, slice.code.size());
+  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) {
+    const Cell cell = program_.choices[i].cell;
+    if (cell != kNoCell && program_.types[cell] == Type::kFloat) floats_.push_back(i);
+  }
   cells_ = program_.cells;
-  cells_.resize(program_.cells.size() + longest);
+  cells_.resize(program_.cells.size() + longest + std::max<std::size_t>(1, floats_.size()));
 }
 
 Kernel::Outcome Kernel::load(const std::vector<Scalar>& values) {
@@ -59,27 +66,33 @@ Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
 }
 
 /// Both machines give the same, so it does not matter when the faster one takes over.
-bool Kernel::run_slice(ChoiceNumber choice) {
-  Compiled& compiled = compiled_[choice];
+bool Kernel::run_slice(std::size_t slice) {
+  Compiled& compiled = compiled_[slice];
   if (compiled.code != nullptr) return compiled.code(cells_.data());
-  if (++compiled.runs == kCompiledAfter) compiled.code = compiler_.compile(slices_[choice].code);
-  return run(slices_[choice].code, cells_.data());
+  if (compiles_ && ++compiled.runs == kCompiledAfter) compiled.code = compiler_.compile(slices_[slice].code);
+  return run(slices_[slice].code, cells_.data());
 }
 
-Kernel::Outcome Kernel::score_slice(ChoiceNumber choice) {
-  const Slice& slice = slices_[choice];
-  const bool made = run_slice(choice);
+Kernel::Outcome Kernel::propose_floats(std::span<const double> values) {
+  proposed_ = slices_.size() - 1;
+  proposed_bits_.reset();
+  for (std::size_t i = 0; i < values.size(); ++i) cells_[program_.cells.size() + i] = Scalar::of(values[i]);
+  return outcome_ = score_slice(proposed_);
+}
+
+Kernel::Outcome Kernel::score_slice(std::size_t number) {
+  const Slice& slice = slices_[number];
+  const bool made = run_slice(number);
   const auto holds = [&](Cell cell) { return cells_[cell].i != 0; };
   if (!made || !std::all_of(slice.assumed.begin(), slice.assumed.end(), holds)) return Outcome::kLeavesTrace;
   if (!std::all_of(slice.required.begin(), slice.required.end(), holds)) return Outcome::kImpossible;
-  difference_ = 0;
-  for (const auto& [present, proposed] : slice.terms) difference_ += cells_[proposed].f - cells_[present].f;
+  difference_ = slice.difference == kNoCell ? 0 : cells_[slice.difference].f;
   if (std::isnan(difference_)) return Outcome::kLeavesTrace;
   return difference_ > -HUGE_VAL ? Outcome::kScored : Outcome::kImpossible;
 }
 
 void Kernel::accept() {
-  for (const auto& [present, proposed] : slices_[proposed_].changes) cells_[present] = cells_[proposed];
+  for (const auto& [present, proposed] : slices_[proposed_].commits) cells_[present] = cells_[proposed];
   log_score_ += difference_;
   proposed_bits_.reset();
   if (++accepted_ % kRescoreEvery == 0) score_all();

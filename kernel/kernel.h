@@ -1,6 +1,8 @@
 #pragma once
 #include <bit>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "kernel/compiler.h"
@@ -26,7 +28,8 @@ class Kernel {
                    // run
   };
 
-  explicit Kernel(ScoreProgram program);
+  /// Slices that are used often are compiled, unless that is not wanted; what comes is the same.
+  explicit Kernel(ScoreProgram program, bool compiles = true);
 
   const ScoreProgram& program() const { return program_; }
   const Slice& slice(ChoiceNumber choice) const { return slices_[choice]; }
@@ -35,6 +38,9 @@ class Kernel {
   Outcome load(const std::vector<Scalar>& values);
   /// What a change of one choice would do. The present values stay until accept() takes the change over.
   Outcome propose(ChoiceNumber choice, Scalar value);
+  /// The same of a change of all floats together: a value for each of floats().
+  Outcome propose_floats(std::span<const double> values);
+  const std::vector<ChoiceNumber>& floats() const { return floats_; }
   double difference() const { return difference_; }
   /// Takes over the change that was proposed last, which has to have been scored.
   void accept();
@@ -51,8 +57,8 @@ class Kernel {
 
  private:
   Outcome score_all();
-  Outcome score_slice(ChoiceNumber choice);
-  bool run_slice(ChoiceNumber choice);
+  Outcome score_slice(std::size_t slice);
+  bool run_slice(std::size_t slice);
 
   ScoreProgram program_;
   /// The code of a slice as a machine runs it, once it is worth being compiled.
@@ -61,12 +67,14 @@ class Kernel {
     std::uint32_t runs = 0;
   };
 
+  std::vector<ChoiceNumber> floats_;  // that can change
   std::vector<Slice> slices_;
+  bool compiles_;
   Compiler compiler_;
   std::vector<Compiled> compiled_;  // one for each slice
   std::vector<Scalar> cells_;       // the program's, and behind them room for the longest slice
 
-  ChoiceNumber proposed_ = 0;
+  std::size_t proposed_ = 0;  // the number of a slice
   std::optional<std::int64_t>
       proposed_bits_;  // of the value that was proposed last, unless all has changed since
   Outcome outcome_ = Outcome::kScored;

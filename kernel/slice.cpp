@@ -1,6 +1,9 @@
 #include "kernel/slice.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
 
 namespace solitaire {
 namespace {
@@ -19,10 +22,10 @@ class Users {
     }
   }
 
-  /// The instructions whose results depend on the cell, in the order of the program.
-  std::vector<std::uint32_t> closure(const ScoreProgram& program, Cell cell) {
+  /// The instructions whose results depend on the cells, in the order of the program.
+  std::vector<std::uint32_t> closure(const ScoreProgram& program, std::span<const Cell> cells) {
     std::vector<std::uint32_t> found;
-    std::vector<Cell> open{cell};
+    std::vector<Cell> open(cells.begin(), cells.end());
     while (!open.empty()) {
       const Cell at = open.back();
       open.pop_back();
@@ -55,7 +58,27 @@ class Proposed {
   std::vector<Cell> at_;
 };
 
-Slice slice_of(const ScoreProgram& program, Cell choice, Users& users, Proposed& proposed) {
+/// Adds the code that sums up by how much the terms change. Four sums go on side by side, since an addition
+/// waits for the one before it.
+void sum_up(Slice& slice, Cell first_result) {
+  const auto emit = [&](Op op, Cell a, Cell b) {
+    const auto result = static_cast<Cell>(first_result + slice.code.size());
+    slice.code.push_back({op, result, {a, b, 0}});
+    return result;
+  };
+  std::array<Cell, 4> sums{kNoCell, kNoCell, kNoCell, kNoCell};
+  for (std::size_t i = 0; i < slice.terms.size(); ++i) {
+    Cell& sum = sums[i % sums.size()];
+    const Cell more = emit(Op::kSubFloat, slice.terms[i].proposed, slice.terms[i].present);
+    sum = sum == kNoCell ? more : emit(Op::kAddFloat, sum, more);
+  }
+  for (const Cell sum : sums) {
+    if (sum == kNoCell) break;
+    slice.difference = slice.difference == kNoCell ? sum : emit(Op::kAddFloat, slice.difference, sum);
+  }
+}
+
+Slice slice_of(const ScoreProgram& program, std::span<const Cell> choices, Users& users, Proposed& proposed) {
   Slice slice;
   const auto change = [&](Cell present) {
     const auto at = static_cast<Cell>(program.cells.size() + slice.changes.size());
@@ -63,8 +86,8 @@ Slice slice_of(const ScoreProgram& program, Cell choice, Users& users, Proposed&
     proposed.set(present, at);
     return at;
   };
-  change(choice);
-  for (const std::uint32_t number : users.closure(program, choice)) {
+  for (const Cell choice : choices) change(choice);
+  for (const std::uint32_t number : users.closure(program, choices)) {
     Instruction step = program.code[number];
     for (std::size_t k = 0; k < operation(step.op).arity; ++k)
       step.operands[k] = proposed.read(step.operands[k]);
@@ -78,7 +101,27 @@ Slice slice_of(const ScoreProgram& program, Cell choice, Users& users, Proposed&
   for (const Cell cell : program.assumed)
     if (proposed[cell] != kNoCell) slice.assumed.push_back(proposed[cell]);
   for (const Slice::Changed& each : slice.changes) proposed.set(each.present, kNoCell);
+  sum_up(slice, static_cast<Cell>(program.cells.size() + choices.size()));
   return slice;
+}
+
+/// Which cells of the program are read other than by computing all anew: by slices, as values that do not
+/// change with them, as choices and their parameters, and by outputs.
+std::vector<bool> cells_read(const ScoreProgram& program, const std::vector<Slice>& slices) {
+  std::vector<bool> read(program.cells.size(), false);
+  const auto operands_of = [&](const std::vector<Instruction>& code) {
+    for (const Instruction& step : code)
+      for (std::size_t k = 0; k < operation(step.op).arity; ++k)
+        if (step.operands[k] < read.size()) read[step.operands[k]] = true;
+  };
+  for (const Slice& slice : slices) operands_of(slice.code);
+  operands_of(program.output_code);
+  for (const Cell output : program.outputs) read[output] = true;
+  for (const ScoreProgram::Choice& choice : program.choices) {
+    if (choice.cell != kNoCell) read[choice.cell] = true;
+    for (const Cell parameter : choice.parameters) read[parameter] = true;
+  }
+  return read;
 }
 
 }  // namespace
@@ -87,8 +130,17 @@ std::vector<Slice> slices_of(const ScoreProgram& program) {
   Users users(program);
   Proposed proposed(program.cells.size());
   std::vector<Slice> slices;
-  for (const ScoreProgram::Choice& choice : program.choices)
-    slices.push_back(choice.cell == kNoCell ? Slice{} : slice_of(program, choice.cell, users, proposed));
+  std::vector<Cell> floats;
+  for (const ScoreProgram::Choice& choice : program.choices) {
+    const bool open = choice.cell != kNoCell;
+    slices.push_back(open ? slice_of(program, std::span(&choice.cell, 1), users, proposed) : Slice{});
+    if (open && program.types[choice.cell] == Type::kFloat) floats.push_back(choice.cell);
+  }
+  slices.push_back(slice_of(program, floats, users, proposed));
+  const std::vector<bool> read = cells_read(program, slices);
+  for (Slice& slice : slices)
+    std::copy_if(slice.changes.begin(), slice.changes.end(), std::back_inserter(slice.commits),
+                 [&](const Slice::Changed& each) { return read[each.present]; });
   return slices;
 }
 

@@ -5,10 +5,11 @@
 
 namespace solitaire {
 
-/// What changes of a ScoreProgram when one choice changes, up to the terms (section 3.5 of the dissertation).
+/// What changes of a ScoreProgram when one choice changes, or several do, up to the terms (section 3.5 of the
+/// dissertation).
 ///
-/// Its code reads the present cells and writes behind them: result k goes to cell `cells + 1 + k`, and the
-/// choice's new value stands in cell `cells`, where `cells` is the number of the program's. So the present
+/// Its code reads the present cells and writes behind them: the choices' new values stand from cell `cells`
+/// on, where `cells` is the number of the program's cells, and the results of the code follow. So the present
 /// stays as it is until the change is accepted.
 struct Slice {
   struct Changed {
@@ -16,14 +17,17 @@ struct Slice {
     Cell proposed;
   };
 
-  std::vector<Instruction> code;
-  std::vector<Changed> changes;  // the choice, then the results of the code, in this order
+  std::vector<Instruction> code;  // makes the changes, and then the difference
+  std::vector<Changed> changes;   // the choices, then the results of the code, in this order
+  std::vector<Changed> commits;   // of these, what something reads that does not change with them
   std::vector<Changed> terms;
+  Cell difference = kNoCell;   // of the sum of the terms; nothing where no term changes
   std::vector<Cell> required;  // proposed cells
   std::vector<Cell> assumed;   // proposed cells
 };
 
-/// The slices of all choices, in their order; an empty one of a choice without a cell.
+/// The slices of all choices, in their order; an empty one of a choice without a cell. The last slice is that
+/// of all floats together, whose new values stand one behind the other, in the order of the choices.
 std::vector<Slice> slices_of(const ScoreProgram& program);
 
 }  // namespace solitaire

@@ -116,7 +116,8 @@ void add_warnings(SampleSummary& summary, const std::vector<std::string>& partia
         tuning::kMostRHat, apart));
   }
   const std::string few = where(summary, [](const auto& each) {
-    return each.ess_bulk < tuning::kLeastEffective || each.ess_tail < tuning::kLeastEffective;
+    const bool enough = each.ess_bulk >= tuning::kLeastEffective && each.ess_tail >= tuning::kLeastEffective;
+    return !enough && each.mcse != 0;  // which it is of a number that never changes
   });
   if (!few.empty()) {
     warn(fmt::format("the draws are worth fewer than {} independent ones for {}: ask for more (-n)",

@@ -4,11 +4,13 @@
     python3 bench/sampling/compare.py build/app/solitaire build/bench/sampling_twins [MODEL...]
 
 Each model is measured in rounds, in which everything runs once, one after the other; of five rounds the best counts. So a
-disturbance of the machine meets all alike. Prints a table in Markdown, a row when its model is done.
+disturbance of the machine meets all alike; seconds are those of the processor, not of the clock. Prints a table in Markdown, a
+row when its model is done.
 
 - Solitaire: one chain of each engine. Its seconds contain everything: reading the program, the warm-up, the summary.
 - By hand: bench/sampling/twins/, in C++; "rescoring" computes the whole density for each step, "incremental" what changes.
-- WebPPL (`npm install webppl@0.9.15` in bench/sampling/webppl): steps of its kernel MH, of the models in that folder.
+- WebPPL (`npm install webppl@0.9.15` in bench/sampling/webppl): steps of its kernel MH, of the models in that folder, without
+  its start.
 - JAGS (the command `jags`): the models of bench/sampling/jags/, with effective draws by the same estimate as Solitaire's.
 
 What is not installed is left out.
@@ -17,11 +19,11 @@ What is not installed is left out.
 import json
 import math
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -53,16 +55,24 @@ def data_of(model):
     return {name: json.loads(numbers) for name, numbers in found}
 
 
+def timed(command, folder=None):
+    """What the command prints, and the seconds that it computes."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return run.stdout, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+
 # ---- Solitaire and programs written by hand
 
 
 def solitaire(program, model, engine, draws, seed):
     command = [program, "sample", EXAMPLES / f"{model}.sol", "--engine", engine, "--chains", "1", "--jobs", "1"]
     command += ["-n", str(draws), "--warmup", str(draws // 4), "--seed", str(seed), "--json", "-q"]
-    summary = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    printed, seconds = timed(command)
+    summary = json.loads(printed)
     sizes = [each["ess_bulk"] for each in summary["parameters"] if each["ess_bulk"] is not None]
-    seconds = summary["steps"] / summary["steps_per_second"]
-    return {"steps": summary["steps_per_second"], "ess": min(sizes, default=0) / seconds}
+    return {"steps": summary["steps"] / seconds, "ess": min(sizes, default=0) / seconds}
 
 
 def by_hand(program, model, kind, seed):
@@ -85,14 +95,15 @@ def webppl(model, steps):
     if model == "regression":
         points = data["points"]
         data = {"x": [x for x, _ in points], "y": [y for _, y in points]}
-    program = f"var data = {json.dumps(data)};\n{text}\nvar start = Date.now();\n"
-    program += f"var result = Infer({{method: 'MCMC', kernel: 'MH', samples: {steps}, model: model}});\n"
-    program += "console.log('milliseconds ' + (Date.now() - start));\n"
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "model.wppl"
-        file.write_text(program)
-        run = subprocess.run([webppl_command(), file], capture_output=True, text=True, check=True)
-    return {"steps": steps * 1000 / float(re.search(r"milliseconds (\d+)", run.stdout).group(1))}
+    seconds = []
+    for samples in (1, steps):
+        program = f"var data = {json.dumps(data)};\n{text}\n"
+        program += f"var result = Infer({{method: 'MCMC', kernel: 'MH', samples: {samples}, model: model}});\n'done'\n"
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "model.wppl"
+            file.write_text(program)
+            seconds.append(timed([webppl_command(), file])[1])
+    return {"steps": steps / (seconds[1] - seconds[0])}
 
 
 # ---- JAGS
@@ -143,9 +154,7 @@ def jags(model, seed):
         script += ["initialize", f"update {draws // 4}"] + [f"monitor {name}" for name in JAGS_MONITORED[model]]
         script += [f"update {draws}", "coda *", "exit"]
         (work / "run.cmd").write_text("\n".join(script) + "\n")
-        start = time.perf_counter()
-        subprocess.run(["jags", "run.cmd"], cwd=work, capture_output=True, check=True)
-        seconds = time.perf_counter() - start
+        seconds = timed(["jags", "run.cmd"], work)[1]
         values = [float(line.split()[1]) for line in (work / "CODAchain1.txt").read_text().splitlines()]
     monitored = [values[i : i + draws] for i in range(0, len(values), draws)]
     return {"ess": min(map(effective_size, monitored)) / seconds}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/sample/coordinate.h"
 #include "tracegraph/drawing.h"
 
 namespace solitaire {
@@ -11,22 +12,6 @@ namespace {
 using Family = Distribution::Family;
 
 constexpr double kWantedAcceptance = 0.44;
-
-/// The coordinate in which a float walks: itself, its logarithm or its log odds, so that it stays where its
-/// family has it.
-enum class Coordinate : std::uint8_t { kPlain, kLog, kLogOdds };
-
-Coordinate coordinate_of(Family family) {
-  switch (family) {
-    case Family::kExponential:
-    case Family::kGamma:
-      return Coordinate::kLog;
-    case Family::kBeta:
-      return Coordinate::kLogOdds;
-    default:
-      return Coordinate::kPlain;
-  }
-}
 
 /// How far a walk goes before anything is learned.
 double first_scale(const Distribution& distribution) {
@@ -82,19 +67,10 @@ Proposal Proposer::neighbour(const Distribution& distribution, TypedScalar value
 Proposal Proposer::walk(double scale, const Distribution& distribution, TypedScalar value) {
   const double x = value.as_float();
   const double step = scale * first_scale(distribution) * draw_normal(stream_);
-  const auto made = [](double proposed, double log_ratio) {
-    return Proposal{TypedScalar::of(proposed), log_ratio, Move::kWalk};
-  };
-  switch (coordinate_of(distribution.family)) {
-    case Coordinate::kPlain:
-      return made(x + step, 0);
-    case Coordinate::kLog:
-      return made(x * std::exp(step), step);
-    case Coordinate::kLogOdds:
-      break;
-  }
-  const double proposed = 1 / (1 + std::exp(-(std::log(x / (1 - x)) + step)));
-  return made(proposed, std::log(proposed * (1 - proposed)) - std::log(x * (1 - x)));
+  const Coordinate coordinate = coordinate_of(distribution.family);
+  const double proposed = from_coordinate(coordinate, to_coordinate(coordinate, x) + step);
+  const double log_ratio = log_derivative(coordinate, proposed) - log_derivative(coordinate, x);
+  return {TypedScalar::of(proposed), log_ratio, Move::kWalk};
 }
 
 void Proposer::learn(AddressId address, double acceptance) {

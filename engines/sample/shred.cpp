@@ -28,7 +28,58 @@ ShredChain::ShredChain(const Program& program, const ParamValues& params, const 
 void ShredChain::sweep() {
   if (warming_up_) steps_in_sweep_ = std::max(steps_in_sweep_, choices());
   for (std::size_t i = 0; i < steps_in_sweep_; ++i) step();
+  if (structure_ != nullptr) walk_jointly();
   if (restarts_.wanted()) restart();
+}
+
+/// The floats of the path walk together. A step that would leave the path is refused, as the one back would
+/// be.
+void ShredChain::walk_jointly() {
+  JointWalk* walk = joint_walk();
+  if (walk == nullptr) return;
+  if (walk->ready())
+    for (std::size_t i = 0; i < structure_->kernel.floats().size(); ++i) step_jointly(*walk);
+  if (warming_up_) walk->watch(coordinates());
+}
+
+JointWalk* ShredChain::joint_walk() {
+  const Kernel& kernel = structure_->kernel;
+  const std::size_t size = kernel.floats().size();
+  if (size < 2 || size > tuning::kMostWalkingTogether) return nullptr;
+  std::vector<std::uint32_t> addresses;
+  for (const ChoiceNumber each : kernel.floats())
+    addresses.push_back(kernel.program().choices[each].address.index);
+  const auto found = joint_walks_.find(addresses);
+  if (found != joint_walks_.end()) return &found->second;
+  return warming_up_ ? &joint_walks_.try_emplace(std::move(addresses), size).first->second : nullptr;
+}
+
+std::vector<double> ShredChain::coordinates() const {
+  const Kernel& kernel = structure_->kernel;
+  std::vector<double> at;
+  for (const ChoiceNumber each : kernel.floats()) {
+    const Distribution::Family family = kernel.program().choices[each].distribution.family;
+    at.push_back(to_coordinate(coordinate_of(family), kernel.value(each).f));
+  }
+  return at;
+}
+
+void ShredChain::step_jointly(JointWalk& walk) {
+  Kernel& kernel = structure_->kernel;
+  std::vector<double> to = walk.propose(coordinates(), stream_);
+  double log_ratio = 0;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const ChoiceNumber choice = kernel.floats()[i];
+    const Coordinate coordinate = coordinate_of(kernel.program().choices[choice].distribution.family);
+    to[i] = from_coordinate(coordinate, to[i]);
+    log_ratio += log_derivative(coordinate, to[i]) - log_derivative(coordinate, kernel.value(choice).f);
+  }
+  const bool scored = kernel.propose_floats(to) == Kernel::Outcome::kScored;
+  log_ratio = scored && !std::isnan(log_ratio) ? log_ratio + kernel.difference() : -HUGE_VAL;
+  if (warming_up_) walk.learn(std::exp(std::min(log_ratio, 0.0)));
+  const bool accepted = accepts(log_ratio);
+  moves_.add(Move::kJoint, accepted);
+  if (accepted) kernel.accept();
 }
 
 void ShredChain::restart() {

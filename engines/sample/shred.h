@@ -1,10 +1,13 @@
 #pragma once
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "engines/sample/chain.h"
+#include "engines/sample/coordinate.h"
+#include "engines/sample/joint_walk.h"
 #include "engines/sample/rerun.h"
 #include "engines/sample/restarts.h"
 #include "engines/sample/traced_structure.h"
@@ -41,6 +44,10 @@ class ShredChain : public Chain {
  private:
   void step();
   void restart();
+  void walk_jointly();
+  void step_jointly(JointWalk& walk);
+  JointWalk* joint_walk();
+  std::vector<double> coordinates() const;
   bool step_by_form(ChoiceNumber choice);
   void step_by_proposal(ChoiceNumber choice);
   void step_by_rerun(ChoiceNumber choice, const Proposal& proposal);
@@ -68,6 +75,8 @@ class ShredChain : public Chain {
   std::vector<std::unique_ptr<TracedStructure>> structures_;
   std::optional<Diagnostic> slowed_by_;
   std::size_t steps_in_sweep_ = 1;  // the most choices that a state of the warm-up had
+  /// Of the floats at these addresses, for those that were met in the warm-up.
+  std::map<std::vector<std::uint32_t>, JointWalk> joint_walks_;
   Restarts restarts_;
   bool warming_up_ = true;
   MoveTally moves_;

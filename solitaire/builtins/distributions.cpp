@@ -250,7 +250,7 @@ Value log_density(Evaluator& evaluator, Call call) {
     const Record* record = given.object<Record>();
     if (record == nullptr || !is_distribution(record->type)) {
       evaluator.program_error(span, fmt::format("this needs a distribution, not {}", describe(given)),
-                              "such as Normal(0, 1)");
+                              "such as Normal(0, 1), with a capital letter: normal(0, 1) is a choice");
     }
     return evaluator.each_shape(call.arguments[1], [&](const Value& x) {
       return density_of_record(evaluator, *record, x, call.site);

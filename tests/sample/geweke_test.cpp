@@ -25,6 +25,10 @@ constexpr const char* kJoint[] = {
     "sin(sum(xs));",
     "g = geometric(0.4); u = uniform(g, g + 1); a = if u > 1.5 then normal(u, 1) else -exponential(u + 0.1);"
     "return min(g, 5), sin(u), cos(a);",
+    // Floats that hang together, so that they also walk together.
+    "a = normal(1, 2); b = normal(a, 0.3); g = gamma(2, 1); h = exponential(g); y = normal(b, h); p = "
+    "beta(2, 2);"
+    "return a, b - a, log(g), min(h, 3), p;",
 };
 
 class PriorChoices : public Choices {

@@ -112,6 +112,31 @@ TEST_CASE(
   CHECK(left > 0);
 }
 
+TEST_CASE("kernel: a change of all floats is scored as by computing all anew") {
+  std::size_t scored = 0;
+  for (const char* text : kTexts) {
+    INFO(text);
+    Traced traced(text, 4);
+    Kernel& kernel = traced.kernel();
+    for (int round = 0; round < 5; ++round) {
+      std::vector<Scalar> values;
+      for (ChoiceNumber i = 0; i < kernel.program().choices.size(); ++i) values.push_back(kernel.value(i));
+      std::vector<double> floats;
+      for (const ChoiceNumber each : kernel.floats()) {
+        floats.push_back(values[each].f * (1 + 0.02 * traced.stream.uniform()));
+        values[each] = Scalar::of(floats.back());
+      }
+      if (kernel.propose_floats(floats) != Scored::kScored) continue;
+      ++scored;
+      kernel.accept();
+      const double running = kernel.log_score();
+      REQUIRE(kernel.load(values) == Scored::kScored);
+      CHECK(running == doctest::Approx(kernel.log_score()).epsilon(1e-9));
+    }
+  }
+  CHECK(scored > 10);
+}
+
 TEST_CASE("kernel: after many accepted changes every cell is as if computed anew") {
   Traced traced(kTexts[1], 3);
   Kernel& kernel = traced.kernel();

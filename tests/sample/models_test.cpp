@@ -69,6 +69,26 @@ TEST_CASE("models: exact answers, on traces") {
   for (const Model& model : models) check(model);
 }
 
+TEST_CASE("models: a slope and an intercept far from the data, which single steps can hardly move") {
+  const Workplace place;
+  const std::string script =
+      place.file("far.sol",
+                 "a = normal(0, 1000); b = normal(0, 100);\n"
+                 "for i in 1..20 { x = 1000 + i; observe(Normal(a + b * (1.0 * x), 1), 3.0 * i); }\n"
+                 "return a, b;\n");
+  const Outcome outcome = run_solitaire({"sample", script, "-n", "4000", "--json", "-q"});
+  REQUIRE(outcome.status == 0);
+  const auto summary = nlohmann::json::parse(outcome.out);
+  // The posterior is normal. With X the points and P the precisions of the priors, its precision is X'X + P.
+  const double xx = 20 * 1010.5 * 1010.5 + 665 + 1e-4, x = 20 * 1010.5, n = 20 + 1e-6;
+  const double xy = 3 * (1010.5 * 210 + 665), y = 3 * 210;
+  const double slope = (xy * n - x * y) / (xx * n - x * x);
+  const auto& b = summary["parameters"][1];
+  CHECK(std::abs(b["mean"].get<double>() - slope) < 4 * b["mcse"].get<double>());
+  CHECK(b["ess_bulk"].get<double>() > 300);
+  CHECK(b["rhat"].get<double>() < 1.03);
+}
+
 TEST_CASE("models: the published answers for rats, on traces (slow)") {
   check({"rats.sol",
          {"-n", "1600", "--warmup", "4000"},

@@ -1,0 +1,120 @@
+// What chapter 3 of the dissertation measures in its figures 3.3 to 3.6, for the models of
+// examples/sampling/: steps in a second by running the program again, by computing all of its trace, and by
+// computing a slice of it; how long it takes to trace, slice and compile; and how much of the trace a slice
+// is. Prints a table in Markdown.
+//
+//   sampling_figures [SECONDS]
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/programs.h"
+#include "engines/sample/traced_structure.h"
+
+namespace {
+
+using namespace solitaire;
+
+constexpr const char* kModels[] = {"ising", "regression", "rats",      "mixture",        "infinite_mixture",
+                                   "lda",   "hdp",        "citations", "sum_or_product", "polynomial"};
+constexpr std::size_t kProposals = 1000;
+
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// How often `step` can be called in a second, with one number after the other.
+double rate(double time, const std::function<void(std::size_t)>& step) {
+  std::size_t steps = 0;
+  const double start = seconds();
+  do {
+    for (int i = 0; i < 10; ++i) step(steps++ % kProposals);
+  } while (seconds() - start < time);
+  return static_cast<double>(steps) / (seconds() - start);
+}
+
+struct Prepared {
+  ChoiceNumber choice;
+  Proposal proposal;
+};
+
+/// Proposals that change one choice each, of those that can change.
+std::vector<Prepared> proposals(const Kernel& kernel, const SampledState& state, RandomStream& stream) {
+  Proposer proposer(stream);
+  std::vector<Prepared> made;
+  while (made.size() < kProposals) {
+    const ChoiceNumber choice = stream.below(state.choices.size());
+    if (kernel.program().choices[choice].cell == kNoCell) continue;
+    const MetChoice& at = state.choices[choice];
+    Proposal proposal = proposer.propose(at.address, at.domain, at.value);
+    if (at.domain.contains(proposal.value)) made.push_back({choice, proposal});
+  }
+  return made;
+}
+
+double mean_slice(const Kernel& kernel, const std::vector<Prepared>& made) {
+  double sum = 0;
+  for (const Prepared& each : made) sum += static_cast<double>(kernel.slice(each.choice).changes.size() - 1);
+  return sum / static_cast<double>(made.size());
+}
+
+void measure(const std::string& model, double time) {
+  const Program program = load_example("sampling/" + model + ".sol");
+  const ParamValues params;
+  RandomStream stream(1, Purpose::kSample, 1);
+  Rerun rerun(program, params, {}, stream);
+  const SampledState state = rerun.start();
+  rerun.stand_at(state);
+  const double before = seconds();
+  TracedStructure structure =
+      trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
+  const double traced = seconds() - before;
+  structure.load(state);
+  Kernel interpreted(structure.kernel.program(), false);
+  std::vector<Scalar> values;
+  for (const MetChoice& choice : state.choices) values.push_back(choice.value.scalar());
+  interpreted.load(values);
+  const std::vector<Prepared> made = proposals(interpreted, state, stream);
+
+  SampledState proposed;
+  const double by_running =
+      rate(time, [&](std::size_t i) { rerun.propose(made[i].choice, made[i].proposal, proposed); });
+  const double by_trace = rate(time, [&](std::size_t i) {
+    const Scalar kept = values[made[i].choice];
+    values[made[i].choice] = made[i].proposal.value.scalar();
+    interpreted.load(values);
+    values[made[i].choice] = kept;
+  });
+  interpreted.load(values);
+  const auto by_slice = [&](Kernel& kernel) {
+    return rate(time,
+                [&](std::size_t i) { kernel.propose(made[i].choice, made[i].proposal.value.scalar()); });
+  };
+  const double by_machine = by_slice(interpreted);
+  by_slice(structure.kernel);  // until all slices are compiled
+  const double by_code = by_slice(structure.kernel);
+  Compiler compiler;
+  const double before_code = seconds();
+  for (ChoiceNumber i = 0; i < state.choices.size(); ++i) compiler.compile(interpreted.slice(i).code);
+  const double compiled = seconds() - before_code;
+  const double statements = static_cast<double>(interpreted.program().code.size());
+  const double slice = mean_slice(interpreted, made);
+  std::printf("| %s | %.0f | %.1f | %.0f | %.1f | %.1f | %.0f | %.1f | %.1f | %.2f | %.2f |\n", model.c_str(),
+              statements, slice, by_running, by_trace / by_running, by_machine / by_trace, by_code,
+              by_code / by_machine, by_code / by_running / 1000, 1000 * traced, 1000 * compiled);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double time = argc > 1 ? std::stod(argv[1]) : 0.2;
+  std::puts(
+      "| model | statements of the trace | mean slice | running again, steps/s | trace / running | slice / "
+      "trace | "
+      "compiled slice, steps/s | compiled / interpreted | thousand times running | tracing and slicing, ms | "
+      "compiling all, ms |");
+  std::puts("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+  for (const char* model : kModels) measure(model, time);
+}
