@@ -18,7 +18,7 @@ constexpr std::size_t kMostInPairs = 5;
 constexpr std::size_t kMostReported = 60;
 
 const char* color_of_chain(std::size_t chain) {
-  constexpr const char* kColors[] = {"#3366aa", "#cc6633", "#339966", "#884499", "#aa8822", "#222222"};
+  constexpr const char* kColors[] = {"#3366aa", "#cc6633", "#339966", "#884499", "#aa8822", "#777777"};
   return kColors[chain % std::size(kColors)];
 }
 
@@ -31,6 +31,8 @@ std::string html_text(const std::string& text) {
       escaped += "&gt;";
     } else if (c == '&') {
       escaped += "&amp;";
+    } else if (c == '"') {
+      escaped += "&quot;";
     } else {
       escaped += c;
     }
@@ -148,8 +150,38 @@ std::string pair_picture(const ReportedNumber& a, const ReportedNumber& b) {
   return picture(points, fmt::format("{} (across) and {} (upwards)", a.summary.name, b.summary.name));
 }
 
+/// What stands before the numbers: the colours are those of the page of solutions, and follow the reader's
+/// system.
+constexpr const char* kHead = R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{0}</title>
+<style>
+:root {{ color-scheme: light dark; --page: #f4f3f0; --card: #fff; --paper: #f6f6f4; --ink: #1d2126; --soft: #565d67; --line: #dcd9d2; }}
+@media (prefers-color-scheme: dark) {{
+  :root {{ --page: #16181b; --card: #202327; --paper: #2a2e34; --ink: #e9eaec; --soft: #a9b0ba; --line: #3a3f46; }}
+}}
+* {{ box-sizing: border-box; }}
+body {{ margin: 0; background: var(--page); color: var(--ink); font: 1rem/1.45 system-ui, sans-serif; }}
+main {{ max-width: 80rem; margin: auto; padding: 1.5rem clamp(.8rem, 3vw, 2.5rem); }}
+h1, h2 {{ overflow-wrap: anywhere; }}
+h2 {{ margin: 1.6rem 0 .5rem; font-size: 1.1rem; }}
+pre {{ overflow-x: auto; padding: .8rem; background: var(--card); border: 1px solid var(--line); border-radius: .5rem; font-size: .85rem; }}
+figure {{ display: inline-block; width: min(22rem, 100%); margin: 0 .8rem .8rem 0; padding: .6rem; background: var(--card); border: 1px solid var(--line); border-radius: .5rem; vertical-align: top; }}
+svg {{ display: block; width: 100%; background: var(--paper); }}
+figcaption {{ margin-top: .4rem; color: var(--soft); font-size: .8rem; }}
+</style>
+</head>
+<body>
+<main>
+<h1>{0}</h1>
+)";
+
 std::string summary_table(const SampleSummary& summary) {
-  std::string text = "<pre>" + html_text(to_text(summary)) + "</pre>\n";
+  std::string text = "<pre tabindex=\"0\" role=\"region\" aria-label=\"Summary\">" +
+                     html_text(to_text(summary)) + "</pre>\n";
   return text + fmt::format("<p>{} draws of {} chains; {} steps, {:.0f} % of them taken.</p>\n",
                             summary.draws, summary.chains, summary.steps, 100 * summary.acceptance);
 }
@@ -158,14 +190,7 @@ std::string summary_table(const SampleSummary& summary) {
 
 std::string report_page(const std::string& title, const SampleSummary& summary,
                         const std::vector<ReportedNumber>& numbers) {
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{0}</title>\n<style>\n"
-      "body {{ font-family: sans-serif; margin: 2em; max-width: 70em; }}\n"
-      "figure {{ display: inline-block; margin: 0.5em; width: 20em; }}\n"
-      "svg {{ background: #f6f6f6; width: 100%; }}\nfigcaption {{ font-size: 0.8em; }}\npre {{ overflow-x: "
-      "auto; }}\n"
-      "</style>\n<h1>{0}</h1>\n",
-      html_text(title));
+  std::string page = fmt::format(kHead, html_text(title));
   page += summary_table(summary);
   const std::size_t shown = std::min(numbers.size(), kMostReported);
   for (std::size_t i = 0; i < shown; ++i) {
@@ -178,7 +203,7 @@ std::string report_page(const std::string& title, const SampleSummary& summary,
   const std::size_t paired = std::min(numbers.size(), kMostInPairs);
   for (std::size_t i = 0; i < paired; ++i)
     for (std::size_t j = i + 1; j < paired; ++j) page += pair_picture(numbers[i], numbers[j]);
-  return page + "</html>\n";
+  return page + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace solitaire::api
