@@ -1,5 +1,7 @@
 #include "bench/tiles/problems.h"
 
+#include <map>
+
 #include "engines/tiles/learn/divergence.h"
 #include "engines/tiles/learn/patterns.h"
 #include "engines/tiles/request/build.h"
@@ -11,20 +13,21 @@ TileMask named(const Style& style, const std::string& name) {
   return TileMask::of(style.tileset.find(name).value());
 }
 
-/// Leaves the sky to the sites where `is_sky(x, y)` holds, and all but the sky to the others.
-template <class IsSky>
-Problem with_outline(std::shared_ptr<const Style> style, int width, int height, IsSky is_sky) {
-  const TileMask sky = named(*style, "·");
-  TileMask wall = TileMask::first(style->tileset.size());
-  wall.erase(sky.lowest());
+/// Leaves to each site the tiles of its part of the outline, the name of which `part_at(x, y)` gives: the
+/// sky, the ground, or the house.
+template <class PartAt>
+Problem with_outline(std::shared_ptr<const Style> style, int width, int height, PartAt part_at) {
+  TileMask house = TileMask::first(style->tileset.size());
+  house.erase(named(*style, "·").lowest());
+  house.erase(named(*style, "_").lowest());
+  std::map<std::string, SiteRule> rules{{"sky", {"the sky", {}, named(*style, "·")}},
+                                        {"ground", {"the ground", {}, named(*style, "_")}},
+                                        {"house", {"the outline of the house", {}, house}}};
   Problem problem(std::move(style), {{{width, height, 1}}, {}});
-  SiteRule above{"the sky", {}, sky}, house{"the outline of the house", {}, wall};
   for_each_point(problem.size(), [&](const Point& at) {
-    SiteRule& rule = is_sky(at[0], at[1]) ? above : house;
-    rule.sites.push_back(static_cast<std::uint32_t>(problem.size().site(at)));
+    rules.at(part_at(at[0], at[1])).sites.push_back(static_cast<std::uint32_t>(problem.size().site(at)));
   });
-  problem.add(std::move(above));
-  problem.add(std::move(house));
+  for (auto& [name, rule] : rules) problem.add(std::move(rule));
   return problem;
 }
 
@@ -57,14 +60,16 @@ double shannon_of_fours(const Style& style, const std::vector<Grid>& maps) {
 }
 
 Problem facade(std::shared_ptr<const Style> style, int width, int height) {
-  return with_outline(std::move(style), width, height,
-                      [=](int x, int y) { return y + 1 < height && (x == 0 || x + 1 == width || y == 0); });
+  return with_outline(std::move(style), width, height, [=](int x, int y) {
+    const bool beside = x == 0 || x + 1 == width || y == 0;
+    return y + 1 == height ? "ground" : beside ? "sky" : "house";
+  });
 }
 
 Problem facade_in_l(std::shared_ptr<const Style> style, int side) {
   return with_outline(std::move(style), side, side, [=](int x, int y) {
-    const bool in_corner = x >= side / 2 && y < side / 2;
-    return y + 1 < side && (x == 0 || x + 1 == side || y == 0 || in_corner);
+    const bool beside = x == 0 || x + 1 == side || y == 0 || (x >= side / 2 && y < side / 2);
+    return y + 1 == side ? "ground" : beside ? "sky" : "house";
   });
 }
 

@@ -6,8 +6,9 @@
 
 namespace solitaire::tiles::bench {
 
-/// The exemplars, in the folder of the sources. The facade is plainer than that of the examples: it has no
-/// courses of stone that run through a whole storey.
+/// The exemplars, in the folder of the sources. The facade is plainer than that of the examples.
+/// The piers between its windows are another tile than its walls, so that a storey runs through the whole
+/// house.
 inline constexpr const char* kFacade = "bench/tiles/facade";
 inline constexpr const char* kSuburb = "examples/tiles/suburb";
 
@@ -23,8 +24,9 @@ double divergence_of_fours(const Style& style, const std::vector<Grid>& maps);
 double shannon_of_fours(const Style& style, const std::vector<Grid>& maps);
 
 /// A facade that fills its map up to a sky of one row and column at the sides.
+/// Its lowest row is ground.
 Problem facade(std::shared_ptr<const Style> style, int width, int height);
-/// A facade in the outline of an L: its upper right quarter is sky.
+/// A facade in the outline of an L: its upper right quarter is sky, its lowest row ground.
 Problem facade_in_l(std::shared_ptr<const Style> style, int side);
 /// A city with a crossroad at every twentieth site along both axes.
 Problem city(std::shared_ptr<const Style> style, int side);

@@ -17,7 +17,8 @@ struct Runs {
 /// Returns the seconds of the processor that this process has taken.
 double processor_seconds();
 
-/// Draws maps with the numbers from 1 on, each of which may take so many seconds.
+/// Draws maps with the numbers from 1 on, each of which may take so many seconds of the
+/// processor.
 Runs run(const Problem& problem, const SamplerOptions& options, std::size_t maps, double limit = 60);
 
 /// Options of a sampler of that kind.

@@ -17,6 +17,9 @@ constexpr double kWalk = 0.6;
 constexpr double kFlip = 0.1;
 /// Steps for each site before a search gives up; the paper does not say its number.
 constexpr std::uint64_t kStepsPerSite = 400;
+/// Steps for each site before a search begins again with random tiles, as WalkSAT does: it may be where no
+/// single block helps.
+constexpr std::uint64_t kStepsPerTry = 20;
 
 /// A block shape, with all patches of that shape in the exemplars; equal ones are there as often as they
 /// occur.
@@ -65,11 +68,16 @@ class BlockSearch {
     }
   }
 
-  /// Looks for a map that meets the slice, from the map as it is.
-  Outcome run(std::uint64_t most, const StopSignal& stop, std::uint64_t& steps) {
+  /// Looks for a map that meets the slice, from the map as it is. After `steps_of_try` steps it begins again
+  /// with random tiles.
+  Outcome run(std::uint64_t most, std::uint64_t steps_of_try, const StopSignal& stop, std::uint64_t& steps) {
     slice_.look_at(map_);
     for (std::uint64_t step = 0; slice_.unmet() > 0; ++step, ++steps) {
       if (step == most) return Outcome::kGaveUp;
+      if (step % steps_of_try == steps_of_try - 1) {
+        draw_random_tiles();
+        slice_.look_at(map_);
+      }
       if (step % 256 == 0 && stop.stopped()) return Outcome::kStopped;
       uniform(random_) < kWalk ? walk() : anneal();
     }
@@ -189,10 +197,11 @@ Sample sample_blockss(const Problem& problem, const SamplerOptions& options, std
   Sample sample;
   BlockSearch search(problem, options.largest_block, mix(options.seed, number));
   const std::uint64_t most = options.effort > 0 ? options.effort : kStepsPerSite * problem.sites() + 10'000;
+  const std::uint64_t steps_of_try = options.restart ? kStepsPerTry * problem.sites() : UINT64_MAX;
   for (std::uint64_t each = 0; each <= options.burn_in; ++each) {
     if (each > 0) search.draw_slice();
     if (each > 0 && options.restart) search.draw_random_tiles();
-    sample.outcome = search.run(most, stop, sample.windows);
+    sample.outcome = search.run(most, steps_of_try, stop, sample.windows);
     if (sample.outcome != Outcome::kFound) return sample;
   }
   sample.map = search.map();
