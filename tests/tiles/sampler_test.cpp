@@ -89,7 +89,7 @@ TEST_CASE("fitted weights make tiles as frequent as in the exemplar") {
   }
   for (const Size& shape : {Size{{1, 1, 1}}, Size{{2, 1, 1}}, Size{{1, 2, 1}}, Size{{2, 2, 1}}}) {
     const double near = divergence(*style, fitted, shape).jensen_shannon;
-    CHECK(near < 0.06);
+    CHECK(near < (shape.volume() == 1 ? 0.01 : 0.03));
     CHECK(divergence(*style, uniform, shape).jensen_shannon > 2 * near);
   }
 }

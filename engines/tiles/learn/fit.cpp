@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "engines/tiles/learn/patterns.h"
 #include "engines/tiles/sample/frontier.h"
+#include "engines/tiles/sample/sampler_options.h"
 #include "engines/tiles/sample/sweep.h"
 #include "engines/tiles/start/start.h"
 
@@ -14,11 +15,13 @@ namespace solitaire::tiles {
 namespace {
 
 constexpr int kChains = 4;
-constexpr int kSteps = 400;
+constexpr int kSteps = 320;
 constexpr int kFlatExtent = 40;  // sites of a chain's map along each axis
 constexpr int kDeepExtent = 12;  // the same where there are several layers
 constexpr double kRate = 0.15;   // of the first steps
 constexpr double kSlower = 60;   // steps after which it is half of that
+/// From this step on the chains begin anew in turns, each after so many steps: see begin_anew().
+constexpr int kFirstAnew = 80, kStepsOfLife = 40;
 constexpr double kShrink = 0.0005;
 constexpr double kMostWeight = 6;
 
@@ -61,7 +64,10 @@ class Fitting {
   void run() {
     start_chains();
     for (int step = 0; step < kSteps; ++step) {
-      for (std::size_t chain = 0; chain < chains_.size(); ++chain) advance(chain, step);
+      for (std::size_t chain = 0; chain < chains_.size(); ++chain) {
+        if (is_turn_of(chain, step)) begin_anew(chain, step);
+        advance(chain, step);
+      }
       const double rate = kRate / (1 + step / kSlower);
       for (std::size_t shape = 0; shape < style_->shapes.size(); ++shape) correct(shape, rate, step);
       weights_.set_power(1);
@@ -85,10 +91,11 @@ class Fitting {
   }
 
   void start_chains() {
-    const std::vector<TileMask> domains = consistent_domains(problem_);
-    for (std::uint64_t chain = 0; chain < kChains; ++chain) {
+    domains_ = consistent_domains(problem_);
+    chains_.resize(kChains);
+    for (std::size_t chain = 0; chain < kChains; ++chain) {
       RandomStream random(mix(seed_, chain), Purpose::kTiles, UINT64_MAX);
-      const Outcome outcome = make_start(problem_, domains, random, stop_, chains_.emplace_back());
+      const Outcome outcome = make_start(problem_, domains_, random, stop_, chains_[chain]);
       if (outcome == Outcome::kStopped) throw Interrupted();
       if (outcome == Outcome::kNone) {
         throw std::runtime_error(
@@ -99,16 +106,40 @@ class Fitting {
     }
   }
 
+  static bool is_turn_of(std::size_t chain, int step) {
+    const int turn = static_cast<int>(chain) * kStepsOfLife / kChains;
+    return step >= kFirstAnew && step % kStepsOfLife == turn;
+  }
+
+  /// Begins a chain with a new map, made as maps are: from a start, by weights that grow to their strength.
+  /// What windows hardly change, such as a street that crosses the map, is then as frequent as in new maps,
+  /// and the weights make up for it. Chains that go on for ever would suit themselves only.
+  void begin_anew(std::size_t chain, int step) {
+    RandomStream random(mix(seed_, chain), Purpose::kTiles,
+                        mix(UINT64_MAX, static_cast<std::uint64_t>(step)));
+    if (make_start(problem_, domains_, random, stop_, chains_[chain]) != Outcome::kFound) throw Interrupted();
+    const int sweeps = static_cast<int>(SamplerOptions().anneal);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      weights_.set_power(static_cast<double>(sweep + 1) / (sweeps + 1));
+      redraw_bands(chain, static_cast<std::uint64_t>(sweep), random);
+    }
+    weights_.set_power(1);
+  }
+
+  void redraw_bands(std::size_t chain, std::uint64_t sweep, RandomStream& random) {
+    for (const auto& window : plan_.bands(sweep, random)) {
+      frontier_.redraw(chains_[chain], window, weights_, random);
+    }
+    if (stop_.stopped()) throw Interrupted();
+  }
+
   /// Lets a chain redraw its rows and its columns. Thick bands are among them: with thin ones alone, the
   /// chains stay for long near where they started, and the weights then suit these maps only.
   void advance(std::size_t chain, int step) {
     for (std::uint64_t turn = 0; turn < 2; ++turn) {
       const std::uint64_t sweep = 2 * static_cast<std::uint64_t>(step) + turn;
       RandomStream random(mix(seed_, chain), Purpose::kTiles, sweep);
-      for (const auto& window : plan_.bands(sweep, random)) {
-        frontier_.redraw(chains_[chain], window, weights_, random);
-      }
-      if (stop_.stopped()) throw Interrupted();
+      redraw_bands(chain, sweep, random);
     }
   }
 
@@ -144,6 +175,7 @@ class Fitting {
   const StopSignal& stop_;
   std::vector<PatchCounts> wanted_;        // by shape
   std::vector<std::vector<double>> mean_;  // of the weights, by shape
+  std::vector<TileMask> domains_;
   std::vector<Grid> chains_;
 };
 
