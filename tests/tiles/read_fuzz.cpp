@@ -7,6 +7,7 @@
 #include "engines/tiles/read/json.h"
 #include "engines/tiles/read/png.h"
 #include "engines/tiles/read/text.h"
+#include "engines/tiles/read/vox.h"
 #include "engines/tiles/tiled/tiled_map.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -15,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   Tileset tileset;
   try {
-    switch (data[0] % 7) {
+    switch (data[0] % 9) {
       case 0:
         read_text("fuzz", bytes, tileset, true);
         break;
@@ -33,6 +34,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 5:
         read_tmj("fuzz", bytes);
+        break;
+      case 6:
+        read_vox("fuzz", bytes, tileset, true);
+        break;
+      case 7:
+        decode_gids("fuzz", bytes, "base64", "zstd", 100);
         break;
       default:
         decode_gids("fuzz", bytes, "base64", "zlib", 100);

@@ -62,6 +62,10 @@ TEST_CASE("mistakes in models of voxels are told") {
   const std::size_t size = whole.find("SIZE") + 12, voxels = whole.find("XYZI") + 12;
   CHECK(changed(size + 3, '\x7f') == "m.vox: has a size that cannot be");
   CHECK(changed(voxels + 3, '\x7f') == "m.vox: ends too early");
+  // A size that follows the voxels must not change what they were read for.
+  const std::string size_chunk = whole.substr(size - 12, 24), voxel_chunk = whole.substr(voxels - 12);
+  CHECK(vox_error(whole + size_chunk) == "m.vox: has several models; save each to a file of its own");
+  CHECK(vox_error(whole + voxel_chunk).find("several models") != std::string::npos);
   CHECK(changed(voxels + 4, '\x09').ends_with("outside of its size"));
 }
 

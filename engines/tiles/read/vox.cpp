@@ -66,7 +66,13 @@ class VoxReader {
     if (id == "RGBA") read_palette(chunk);
   }
 
+  /// What comes after the voxels of a model belongs to another one.
+  void require_one_model() const {
+    if (voxels_) throw FileError(name_, "has several models; save each to a file of its own");
+  }
+
   void read_size(VoxBytes& chunk) {
+    require_one_model();
     for (int& extent : size_.extent) {
       const std::uint32_t length = chunk.word();
       if (length < 1 || length > kLongestSide) throw FileError(name_, "has a size that cannot be");
@@ -77,7 +83,7 @@ class VoxReader {
   }
 
   void read_voxels(VoxBytes& chunk) {
-    if (voxels_) throw FileError(name_, "has several models; save each to a file of its own");
+    require_one_model();
     if (!has_size_) throw FileError(name_, "has voxels before their size");
     voxels_.emplace(size_.volume());
     for (std::uint32_t left = chunk.word(); left > 0; --left) {
