@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the icons of examples/tiles: facade, frame, platforms, pipes. Run it from anywhere; it writes NAME.png there.
+"""Draws the icons of examples/tiles: facade, frame, platforms, pipes, railway. Run it from anywhere; it writes NAME.png there.
 
 A sheet has eight icons of 16x16 pixels in a row, in the order in which NAME.tiles.json lists the tiles.
 """
 
+import math
 import pathlib
 import struct
 import zlib
@@ -445,6 +446,90 @@ def pipes():
     return icons
 
 
+# ---- a railway on a meadow: one icon for each track; the program turns them
+
+MEADOW, BALLAST, SLEEPER, RAIL = (126, 166, 88), (170, 158, 142), (104, 78, 58), (66, 68, 76)
+
+
+def meadow():
+    icon = Icon(MEADOW)
+    for y in range(SIDE):
+        for x in range(SIDE):
+            if (x * 13 + y * 7 + x * y * 3) % 29 == 4:
+                icon.dot(x, y, shade(MEADOW, 0.88))
+            elif (x * 5 + y * 11 + x * y) % 31 == 9:
+                icon.dot(x, y, shade(MEADOW, 1.1))
+    return icon
+
+
+def straight_parts(first=0, last=15):
+    """Yields (pixel, distance along the track, distance across it) of a track from the left to the right."""
+    for y in range(SIDE):
+        for x in range(first, last + 1):
+            yield (x, y), x + 0.5, y - 7.5
+
+
+def bend_parts(corner_x, corner_y):
+    """The same for a quarter of a circle around a corner of the icon."""
+    for y in range(SIDE):
+        for x in range(SIDE):
+            dx, dy = x + 0.5 - corner_x, y + 0.5 - corner_y
+            yield (x, y), math.atan2(abs(dy), abs(dx)) * 8, math.hypot(dx, dy) - 8
+
+
+def down(parts):
+    for (x, y), along, across in parts:
+        yield (y, x), along, across
+
+
+def tracks(*courses):
+    """Ballast under all, then sleepers, then rails, so that tracks that meet share them."""
+    icon = meadow()
+    courses = [list(course) for course in courses]
+    for limit, wanted, color in ((6, lambda _: True, BALLAST), (4.6, lambda along: along % 4 < 1.7, SLEEPER)):
+        for course in courses:
+            for (x, y), along, across in course:
+                if abs(across) < limit - 0.4 and wanted(along + 1):
+                    icon.dot(x, y, color if (x * 7 + y * 5) % 6 else shade(color, 0.93))
+    for course in courses:
+        for (x, y), _, across in course:
+            if 2 <= abs(across) < 3:
+                icon.dot(x, y, RAIL if across > 0 else shade(RAIL, 1.5))
+    return icon
+
+
+def buffer_stop():
+    icon = tracks(straight_parts(0, 10))
+    icon.box(10, 2, 12, 13, (178, 62, 50)).box(10, 2, 12, 2, (224, 120, 100)).box(13, 3, 13, 14, shade(MEADOW, 0.7))
+    return icon.box(10, 5, 12, 6, (240, 236, 226)).box(10, 9, 12, 10, (240, 236, 226))
+
+
+def platform():
+    icon = tracks(straight_parts())
+    icon.box(0, 0, 15, 2, (206, 200, 190)).box(0, 2, 15, 2, (240, 214, 96)).box(0, 13, 15, 15, (206, 200, 190))
+    return icon.box(0, 13, 15, 13, (240, 214, 96)).box(0, 15, 15, 15, (168, 162, 152))
+
+
+def firs():
+    icon = meadow()
+    for x, y in ((4, 6), (11, 4), (8, 11)):
+        icon.disc(x + 1, y + 1.6, 3.2, shade(MEADOW, 0.72)).disc(x, y, 3.2, (58, 108, 66)).disc(x - 0.6, y - 0.8, 1.6, (92, 146, 88))
+    return icon
+
+
+def railway():
+    return [
+        meadow(),
+        firs(),
+        tracks(straight_parts()),
+        tracks(bend_parts(16, 16)),
+        tracks(straight_parts(), bend_parts(16, 16), bend_parts(0, 16)),
+        tracks(straight_parts(), down(straight_parts())),
+        buffer_stop(),
+        platform(),
+    ]
+
+
 if __name__ == "__main__":
-    for name, icons in (("facade", facade()), ("frame", frame()), ("platforms", platforms()), ("pipes", pipes())):
-        write_sheet(name, icons)
+    for draw in (facade, frame, platforms, pipes, railway):
+        write_sheet(draw.__name__, draw())

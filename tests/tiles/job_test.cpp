@@ -64,11 +64,12 @@ TEST_CASE("fitting, counting and explaining end when they are asked to") {
 }
 
 TEST_CASE("the examples make maps") {
-  for (const std::string name : {"facade", "frame", "pipes", "platforms", "suburb", "urban"}) {
+  for (const std::string name : {"facade", "frame", "pipes", "platforms", "railway", "suburb", "urban"}) {
     CAPTURE(name);
     JobOptions options;
     options.inputs = {SOLITAIRE_SOURCE_DIR "/examples/tiles/" + name + ".tiles.json"};
     options.weights = WeightsKind::kStep;
+    if (name == "railway") options.width = options.height = 10;
     if (name == "pipes" || name == "platforms") options.width = options.height = 18;
     options.sampling.anneal = 2;
     options.sampling.sweeps = 1;

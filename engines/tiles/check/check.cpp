@@ -1,5 +1,6 @@
 #include "engines/tiles/check/check.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <set>
 #include <tuple>
@@ -28,8 +29,34 @@ void add_pairs(const Exemplar& exemplar, std::size_t axis, std::set<Pair>& pairs
   }
 }
 
+/// Returns whether labels of two sides that touch are each other's mirror image, part by part.
+bool fit_together(const std::string& one, const std::string& other) {
+  const auto parts = [](const std::string& label) {
+    std::vector<std::string> found(1);
+    for (const char letter : label)
+      letter == '|' ? (void)found.emplace_back() : found.back().push_back(letter);
+    return found;
+  };
+  std::vector<std::string> here = parts(one), there = parts(other);
+  std::ranges::reverse(there);
+  return !one.empty() && here == there;
+}
+
+void add_labelled_pairs(const Style& style, std::set<Pair>& pairs) {
+  const auto tiles = static_cast<Tile>(style.tileset.size());
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (Tile a = 0; a < tiles; ++a) {
+      for (Tile b = 0; b < tiles; ++b) {
+        if (!fit_together(style.tileset[a].edges[2 * axis], style.tileset[b].edges[2 * axis + 1])) continue;
+        for (std::size_t zone = 0; zone < style.zones; ++zone) pairs.emplace(zone, axis, a, b);
+      }
+    }
+  }
+}
+
 std::set<Pair> pairs_of(const Style& style) {
   std::set<Pair> allowed, forbidden;
+  add_labelled_pairs(style, allowed);
   for (const Exemplar& exemplar : style.exemplars) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       add_pairs(exemplar, axis, exemplar.negative ? forbidden : allowed);

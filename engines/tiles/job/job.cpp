@@ -53,7 +53,7 @@ Request full_request(const JobOptions& options) {
   request.tile_side = options.tile_side.value_or(request.tile_side);
   request.weights = options.weights.value_or(request.weights);
   for (const std::string& pin : options.pins) request.pins.push_back(parse_pin(pin));
-  for (const std::string& names : options.connected) request.connected.push_back({split(names, ','), {}});
+  for (const std::string& names : options.connected) request.connected.push_back({split(names, ','), {}, {}});
   return request;
 }
 
@@ -84,7 +84,8 @@ void learn_weights(const Request& request, const SamplerOptions& sampling, Style
                    const StopSignal& stop) {
   const SamplerKind kind = sampling.kind;
   if (kind == SamplerKind::kWfc || kind == SamplerKind::kRaster || kind == SamplerKind::kSearch) return;
-  if (request.weights == WeightsKind::kFitted && kind != SamplerKind::kBlockSs) {
+  const bool fitted = request.weights == WeightsKind::kFitted && !style.exemplars.empty();
+  if (fitted && kind != SamplerKind::kBlockSs) {
     fit_weights(style, request.shapes.empty() ? default_shapes(style) : request.shapes, sampling.seed, stop);
   } else {
     for (const Size& shape : request.shapes) add_step_shape(style, shape, request.epsilon);
@@ -252,6 +253,7 @@ std::string Job::summary() const {
                                  size_text(state.problem.size()), state.windows);
   if (state.left > 0) text += fmt::format(", {} left as they were", state.left);
   if (state.refused > 0) text += fmt::format(", {} put back", state.refused);
+  if (state.style->exemplars.empty()) return text + "\n";
   text += "\n  divergence from the exemplars (KL/JS):";
   for (const Point& extent : {Point{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}, {4, 1, 1}, {1, 4, 1}}) {
     const Divergence d = divergence(*state.style, state.maps, {extent});

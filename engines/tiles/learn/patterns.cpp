@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engines/tiles/learn/edge_pairs.h"
+
 namespace solitaire::tiles {
 namespace {
 
@@ -41,7 +43,9 @@ void learn_frequencies(Style& style) {
   for (std::vector<double>& frequency : style.frequencies) {
     double sum = 0;
     for (const double each : frequency) sum += each;
-    for (double& each : frequency) each /= sum > 0 ? sum : 1;
+    for (double& each : frequency) {
+      each = sum > 0 ? each / sum : 1 / static_cast<double>(frequency.size());
+    }
   }
 }
 
@@ -89,6 +93,7 @@ PatchCounts count_patches(const Style& style, std::size_t zone, const PatchIndex
 
 void learn_pairs(Style& style) {
   style.pairs.assign(style.zones, PairRules(style.tileset.size()));
+  for (PairRules& rules : style.pairs) allow_labelled_pairs(style.tileset, rules);
   for (const bool negative : {false, true}) {
     for (const Exemplar& exemplar : style.exemplars) {
       if (exemplar.negative != negative) continue;

@@ -14,6 +14,7 @@ namespace solitaire::tiles {
 /// The sides of a tile that can be open: towards +x, -x, +y, -y, +z and -z, as bits in this order.
 using Sides = std::uint8_t;
 inline constexpr Sides kAllSides = 0x3f;
+inline constexpr Sides kFlatSides = 0x0f;  // those along x and y
 constexpr Sides side(std::size_t axis, int step) {
   return static_cast<Sides>(1U << (2 * axis + (step > 0 ? 0 : 1)));
 }
@@ -29,7 +30,10 @@ struct TileKind {
   std::optional<std::uint8_t> voxel;  // its colour's number in .vox models; 0 is empty
   std::string asset;                  // the model that scenes show; empty: a box of the colour
   int turn = 0;                       // quarter turns of the model, counter-clockwise seen from above
-  double height = 1;                  // of the box, in sides of a tile; 0: scenes show nothing
+  /// The labels of its sides in the order of Sides, read clockwise; without any it has none. Two tiles may be
+  /// beside each other where their sides have labels that meet.
+  std::array<std::string, 2 * kAxes> edges;
+  double height = 1;  // of the box, in sides of a tile; 0: scenes show nothing
 };
 
 /// The tiles of a style, at most kMostTiles.

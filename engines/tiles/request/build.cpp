@@ -8,6 +8,7 @@
 #include "engines/tiles/read/exemplar.h"
 #include "engines/tiles/read/file.h"
 #include "engines/tiles/read/png.h"
+#include "engines/tiles/request/tile_variants.h"
 #include "engines/tiles/rules/connected.h"
 #include "engines/tiles/rules/distance.h"
 #include "engines/tiles/rules/longest_run.h"
@@ -65,11 +66,25 @@ Picture icon_at(const Picture& icons, const TileEntry& entry, int side) {
   return icon;
 }
 
+Sides sides_of(const std::string& letters);
+
+/// Writes the labels of a tile's sides into its kind: first those that are the same for all other sides.
+void add_edges(const TileEntry& entry, TileKind& kind) {
+  for (const bool all : {true, false}) {
+    for (const auto& [letter, label] : entry.edges) {
+      if ((letter == "*") != all) continue;
+      const Sides sides = all ? kFlatSides : sides_of(letter);
+      for (std::size_t side = 0; side < kind.edges.size(); ++side) {
+        if ((sides >> side & 1U) != 0) kind.edges[side] = label;
+      }
+    }
+  }
+}
+
 void add_tiles(const Request& request, Tileset& tileset) {
   Picture icons;
   if (!request.icons.empty()) icons = read_png(request.icons.string(), read_bytes(request.icons));
   for (const TileEntry& entry : request.tiles) {
-    if (tileset.find(entry.name)) throw RequestError(fmt::format("there are two tiles '{}'", entry.name));
     TileKind kind;
     kind.name = entry.name;
     kind.text = entry.text;
@@ -82,7 +97,13 @@ void add_tiles(const Request& request, Tileset& tileset) {
     kind.color = entry.color  ? *entry.color
                  : entry.icon ? mean_color(kind.icon)
                               : palette_color(tileset.size());
-    tileset.add(std::move(kind));
+    add_edges(entry, kind);
+    for (TileKind& variant : variants_of(kind, entry.symmetry)) {
+      if (tileset.find(variant.name)) {
+        throw RequestError(fmt::format("there are two tiles '{}'", variant.name));
+      }
+      tileset.add(std::move(variant));
+    }
   }
 }
 
@@ -181,6 +202,12 @@ Sides sides_of(const std::string& letters) {
 std::vector<Sides> open_sides(const ConnectedEntry& entry, const Tileset& tileset) {
   std::vector<Sides> open(tileset.size());
   tile_set(tileset, entry.tiles).for_each([&](Tile tile) { open[tile] = kAllSides; });
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    const auto& edges = tileset[static_cast<Tile>(tile)].edges;
+    for (std::size_t place = 0; place < edges.size(); ++place) {
+      if (std::ranges::count(entry.edges, edges[place]) > 0) open[tile] |= static_cast<Sides>(1U << place);
+    }
+  }
   for (const auto& [name, letters] : entry.open) {
     open[tile_set(tileset, {name}).lowest()] = sides_of(letters);
   }
@@ -190,6 +217,7 @@ std::vector<Sides> open_sides(const ConnectedEntry& entry, const Tileset& tilese
 std::shared_ptr<const GlobalRule> connected_rule(const ConnectedEntry& entry, const Problem& problem) {
   std::vector<std::string> names = entry.tiles;
   for (const auto& [name, letters] : entry.open) names.push_back(name);
+  for (const std::string& label : entry.edges) names.push_back("sides " + label);
   return std::make_shared<Connected>(problem.topology(), open_sides(entry, problem.style().tileset),
                                      fmt::format("{} are one connected network", quoted(names)));
 }
@@ -235,13 +263,17 @@ std::shared_ptr<const GlobalRule> count_rule(const CountEntry& entry, const Tile
 }  // namespace
 
 std::shared_ptr<Style> read_style(const Request& request) {
-  if (request.exemplars.empty()) throw RequestError("there is no exemplar to learn from");
+  const bool labelled =
+      std::ranges::any_of(request.tiles, [](const TileEntry& entry) { return !entry.edges.empty(); });
+  if (request.exemplars.empty() && !labelled) {
+    throw RequestError("there is no exemplar to learn from, and no tile has edges");
+  }
   auto style = std::make_shared<Style>();
   add_tiles(request, style->tileset);
   const bool open = request.tiles.empty();
   const std::vector<std::string> zones = zone_names(request);
   if (zones.size() > kMostZones) throw RequestError(fmt::format("there are more than {} zones", kMostZones));
-  style->zones = zones.size();
+  style->zones = std::max<std::size_t>(1, zones.size());
   for (const ExemplarEntry& entry : request.exemplars) {
     Exemplar exemplar;
     exemplar.grid = read_exemplar(entry.file, request.tile_side, style->tileset, open);

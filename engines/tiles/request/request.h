@@ -18,10 +18,12 @@ struct TileEntry {
   std::optional<Rgba> color;
   std::optional<std::array<int, 2>> icon;  // column and row in the picture of icons
   double bias = 1;
-  std::optional<std::uint8_t> voxel;  // the number of its colour in .vox models
-  std::string asset;                  // the model of scenes
-  int turn = 0;                       // quarter turns of the model
-  double height = 1;                  // of the box where there is no model, in sides of a tile
+  std::optional<std::uint8_t> voxel;                       // the number of its colour in .vox models
+  std::string asset;                                       // the model of scenes
+  int turn = 0;                                            // quarter turns of the model
+  std::vector<std::pair<std::string, std::string>> edges;  // the letter of a side, or *, and its label
+  std::string symmetry;  // the letter of the turned tiles that there are, too
+  double height = 1;     // of the box where there is no model, in sides of a tile
 };
 
 struct ExemplarEntry {
@@ -53,7 +55,8 @@ struct ZoneMap {
 struct ConnectedEntry {
   std::vector<std::string> tiles;
   std::vector<std::pair<std::string, std::string>>
-      open;  // a tile and the letters of its open sides (l r t b)
+      open;                        // a tile and the letters of its open sides (l r t b)
+  std::vector<std::string> edges;  // tiles are open on the sides with one of these labels
 };
 
 /// How many of these tiles a map has.

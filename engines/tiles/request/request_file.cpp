@@ -76,6 +76,8 @@ class RequestReader {
     if (object.has("voxel")) tile.voxel = static_cast<std::uint8_t>(object.number("voxel", 0, 255));
     if (object.has("asset")) tile.asset = object.text("asset");
     if (object.has("turn")) tile.turn = static_cast<int>(object.number("turn", 0, 3));
+    if (object.has("edges")) tile.edges = pairs_of_texts(object, "edges", "sides and their labels");
+    tile.symmetry = object.text_or("symmetry", "");
     if (object.has("height")) tile.height = object.real("height", 0, 1000);
     object.require_no_more();
     request_.tiles.push_back(std::move(tile));
@@ -153,15 +155,23 @@ class RequestReader {
   static ConnectedEntry network_of(JsonObject& object) {
     ConnectedEntry entry;
     if (object.has("tiles")) entry.tiles = object.texts("tiles");
-    if (object.has("open")) {
-      const auto& open = object.at("open");
-      if (!open.is_object()) object.fail("open", "is no object of tiles and their open sides");
-      for (const auto& [tile, sides] : open.items()) {
-        if (!sides.is_string()) object.fail("open", "has sides that are no text");
-        entry.open.emplace_back(tile, sides.get<std::string>());
-      }
-    }
+    if (object.has("open")) entry.open = pairs_of_texts(object, "open", "tiles and their open sides");
+    if (object.has("edges")) entry.edges = object.texts("edges");
     return entry;
+  }
+
+  /// Reads an object whose members are all texts.
+  static std::vector<std::pair<std::string, std::string>> pairs_of_texts(JsonObject& object,
+                                                                         const char* member,
+                                                                         const std::string& of_what) {
+    const auto& members = object.at(member);
+    if (!members.is_object()) object.fail(member, "is no object of " + of_what);
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const auto& [name, text] : members.items()) {
+      if (!text.is_string()) object.fail(member, fmt::format("has '{}', which is no text", name));
+      pairs.emplace_back(name, text.get<std::string>());
+    }
+    return pairs;
   }
 
   void read_connected(JsonObject& object) {
@@ -198,14 +208,8 @@ class RequestReader {
   void read_mirror(JsonObject object) {
     MirrorEntry mirror;
     mirror.axis = axis_of(object, "axis", object.text("axis"));
-    if (object.has("partners")) {
-      const auto& partners = object.at("partners");
-      if (!partners.is_object()) object.fail("partners", "is no object of tiles and their mirror images");
-      for (const auto& [tile, partner] : partners.items()) {
-        if (!partner.is_string()) object.fail("partners", "has a tile that is no text");
-        mirror.partners.emplace_back(tile, partner.get<std::string>());
-      }
-    }
+    if (object.has("partners"))
+      mirror.partners = pairs_of_texts(object, "partners", "tiles and their mirror images");
     object.require_no_more();
     request_.mirror = std::move(mirror);
   }
