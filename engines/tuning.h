@@ -131,8 +131,8 @@ constexpr std::uint64_t kMostEffortForBetter = std::uint64_t{1} << 40;  // no so
 /// Conflicts of the search after which the question whether a near miss can come nearer is given up.
 constexpr std::uint64_t kEffortForNearness = 2000;
 
-/// How many solutions that look like earlier ones an enumeration passes over before it asks a solver for what
-/// looks different.
-inline constexpr std::size_t kMostAlikePassedOver = 1000;
+/// How many solutions that look like earlier ones an enumeration passes over, beside one for each that does
+/// not, before it asks a solver for what looks different.
+inline constexpr std::size_t kMostAlikePassedOver = 30;
 
 }  // namespace solitaire::tuning

@@ -19,6 +19,8 @@ class Exclusion {
  public:
   Exclusion(ExecutionSolver& solver, const TracingOptions& options);
 
+  /// Returns how many solutions are known.
+  std::size_t size() const { return known_.size(); }
   /// Takes note of a solution without telling the solver.
   void add(Valuation values);
   /// Tells the solver of the last solution, unless that can wait.

@@ -154,7 +154,9 @@ std::optional<Solution> TracingEngine::next_enumerated() {
 }
 
 void TracingEngine::hear_of_alike() {
-  if (++alike_ > tuning::kMostAlikePassedOver && enumeration_ &&
+  ++alike_;
+  const std::size_t others = exclusion_.size() - std::min(alike_, exclusion_.size());
+  if (alike_ > tuning::kMostAlikePassedOver + others && enumeration_ &&
       says_what_is_seen(traced_.pass(), options_.apart))
     give_up_enumeration();
 }
