@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/installation.h"
 #include "engines/distinct.h"
 #include "engines/exhaustive/exhaustive.h"
 #include "engines/solve/tracing.h"
@@ -93,11 +94,13 @@ class TemporaryFolder {
 /// Loads a program that has one file from memory, one that imports others from a folder of its own.
 Program load(const GeneratedProgram& program) {
   SourceSet unused;
+  LoadOptions options;
+  options.library_folders = {find_data_folder()};
   const SourceText& script = program.files.front();
-  if (program.files.size() == 1) return load_program_text(script.name, script.text, {}, unused);
+  if (program.files.size() == 1) return load_program_text(script.name, script.text, options, unused);
   const TemporaryFolder folder;
   for (const SourceText& file : program.files) std::ofstream(folder.path() / file.name) << file.text;
-  return load_program(folder.path() / script.name, {}, unused);
+  return load_program(folder.path() / script.name, options, unused);
 }
 
 class Comparer {

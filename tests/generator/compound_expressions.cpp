@@ -29,6 +29,11 @@ std::string Expressions::list(int depth) {
                          {1, [&] { return format("cons({}, {})", integer(d), list(d)); }},
                          {1, [&] { return format("({} + [0, 1])[[{} % 2, 0]]", list(d), integer(d)); }},
                          {1, [&] { return format("({} + [1])[{}..0]", list(d), index(depth)); }},
+                         {1,
+                          [&] {
+                            return format("({} + [1, 2])[{}..{}]", list(d), draft_.number(0, 1),
+                                          draft_.one_in(2) ? "1" : format("({} % 2)", integer(d)));
+                          }},
                          {1, [&] { return format("sort({})", list(d)); }},
                          {1, [&] { return format("sort({}, key: {})", list(d), function(d)); }},
                          {1, [&] { return format("map({}, {})", function(d), list(d)); }},
@@ -121,6 +126,8 @@ std::string Expressions::text(int depth) {
                          {1, [&] { return format("({} + {})", text(d), text(d)); }},
                          {1, [&] { return format("str({}, {})", integer(d), text(d)); }},
                          {1, [&] { return format("format(\"{{}}/{{:3}}\", {}, {})", text(d), integer(d)); }},
+                         {1, [&] { return format("format(\"{{:<2}}{{:.1}}\", {}, {})", text(d), real(d)); }},
+                         {1, [&] { return format("({} + str({}))", text(d), flip()); }},
                          {1, [&] { return either(Kind::kString, depth); }},
                      });
 }

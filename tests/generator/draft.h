@@ -87,6 +87,7 @@ class Draft {
   int statements = 0;
   bool is_part = false;  // whether it is a file that is imported
   bool wishes = false;   // whether it may have wishes
+  bool graphs = false;   // whether it imports the library of graphs
 
  private:
   ByteSource& bytes_;

@@ -128,13 +128,15 @@ std::string Expressions::boolean(int depth) {
              return format("({} {} {})", integer(d),
                            draft_.any_of<std::string>({"<", "<=", ">", ">=", "==", "!="}), integer(d));
            }},
-          {3, [&] { return choice("flip()"); }},
+          {3, [&] { return flip(); }},
           {2, [&] { return format("({} {} {})", boolean(d), draft_.one_in(2) ? "or" : "and", boolean(d)); }},
           {1, [&] { return format("(not {})", boolean(d)); }},
           {1, [&] { return either(Kind::kBool, depth); }},
           {1, [&] { return format("contains({}, {})", list(d), integer(d)); }},
           {1, [&] { return format("({} {} {})", integer(d), draft_.one_in(3) ? "not in" : "in", list(d)); }},
           {1, [&] { return format("distinct({})", list(d)); }},
+          {1, [&] { return comparison_of_texts(depth); }},
+          {draft_.graphs ? 3U : 0U, [&] { return connection(depth); }},
           {1, [&] { return format("null({})", list(d)); }},
           {1,
            [&] {
@@ -157,16 +159,41 @@ std::string Expressions::boolean(int depth) {
       });
 }
 
-std::string Expressions::choice(const std::string& call) {
+std::string Expressions::comparison_of_texts(int depth) {
+  const int d = depth + 1;
+  if (draft_.one_in(3)) return format("contains([{}, {}], {})", text(d), text(d), text(d));
+  return format("({} {} {})", text(d), draft_.one_in(2) ? "==" : "!=", text(d));
+}
+
+std::string Expressions::connection(int depth) {
+  const int d = depth + 1;
+  if (draft_.choices < 3 || draft_.loops > 0 || draft_.level > 0) return boolean(d);
+  draft_.choices -= 3;  // it chooses a distance for each node
+  const char* links = draft_.one_in(2) ? "[[0, 1], [1, 2]]" : "[[0, 1], [1, 2], [2, 0]]";
+  return format("connected(graph_of(3, {}), [{}, {}, {}], {})", links, boolean(d), boolean(d), boolean(d),
+                draft_.number(1, 2));
+}
+
+std::string Expressions::choice(const std::string& call, Kind kind) {
   if (draft_.choices <= 0 || (draft_.loops > 0 && !draft_.one_in(2)))
-    return draft_.variable_or(call == "flip()" ? Kind::kBool : Kind::kInt,
-                              [&] { return call == "flip()" ? "true" : "1"; });
+    return draft_.variable_or(kind, [&] { return kind == Kind::kBool ? "true" : "1"; });
   draft_.choices -= draft_.loops > 0 || draft_.level > 0 ? 2 : 1;
   return call;
 }
 
+std::string Expressions::flip() {
+  return choice(draft_.one_in(4) ? format("flip(0.{})", draft_.number(0, 9)) : "flip()", Kind::kBool);
+}
+
+std::string Expressions::weighted(int depth) {
+  if (draft_.one_in(2)) return choice(format("categorical([{}, 1])", draft_.number(0, 3)));
+  return draft_.choices > 0 ? choice(format("choose([{}, {}], weights: [1, {}])", integer(depth), literal(),
+                                            draft_.number(0, 3)))
+                            : literal();
+}
+
 std::string Expressions::choice_of_int(int depth) {
-  switch (draft_.below(8)) {
+  switch (draft_.below(9)) {
     case 0:
       return choice("range(0, 1)");
     case 1:
@@ -181,6 +208,8 @@ std::string Expressions::choice_of_int(int depth) {
       return draft_.choices > 0
                  ? choice(format("range({} % 3, 2{})", integer(depth), draft_.one_in(2) ? ", 2" : ""))
                  : literal();
+    case 6:
+      return weighted(depth);
     default:
       return draft_.choices > 0 ? choice(format("choose({})", list(depth))) : literal();
   }

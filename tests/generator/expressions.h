@@ -23,7 +23,7 @@ class Expressions {
   std::string index(int depth);
   std::string either(Kind kind, int depth);
   /// A call of `range`, `flip` or `choose`, as long as choices are left.
-  std::string choice(const std::string& call);
+  std::string choice(const std::string& call, Kind kind = Kind::kInt);
   std::string call_of(const Declared& callee, int depth, const std::string& first = "");
 
  private:
@@ -35,6 +35,12 @@ class Expressions {
   /// The first maker is the simplest one; beyond the deepest level it is the only one.
   std::string pick(int depth, const std::vector<Weighted>& makers);
   std::string divisor(int depth);
+  std::string flip();
+  /// A choice among ints with weights.
+  std::string weighted(int depth);
+  std::string comparison_of_texts(int depth);
+  /// Whether some nodes of a small graph hang together.
+  std::string connection(int depth);
   std::string list_of(Kind kind, int depth, int count);
   std::string comprehension(int depth);
   std::string record(int depth);

@@ -51,6 +51,8 @@ void FileWriter::write_script(bool wishes) {
   if (imported_variables_ == 0 || !draft_.one_in(2)) draft_.line("record Point(a, b, c = 1);");
   shared_name();
   if (draft_.one_in(6)) param();
+  draft_.graphs = draft_.one_in(6);
+  if (draft_.graphs) draft_.line("import \"std/graph.sol\";");
   for (int i = draft_.number(1, 3); i > 0; --i) first_choice();
   statements_.assign_new(Kind::kList);
   const int count = 3 + static_cast<int>(draft_.below(9));

@@ -62,7 +62,8 @@ void Statements::statement() {
     case 19:
       return assign_new(Kind::kFunction);
     case 20:
-      return draft_.one_in(2) ? optional_append() : auxiliary();
+      if (draft_.one_in(2)) return optional_append();
+      return draft_.one_in(3) ? pack() : auxiliary();
     case 21:
       return declare_function();
     default:
@@ -131,6 +132,8 @@ void Statements::assign_again() {
   const std::string name = draft_.any_of(targets).name;
   if (kind == Kind::kInt && draft_.one_in(3))
     return draft_.line(format("{} {}= {};", name, draft_.one_in(2) ? "-" : "+", expressions_.integer(1)));
+  if (kind == Kind::kString && draft_.one_in(2))
+    return draft_.line(format("{} += {};", name, expressions_.text(1)));
   if (kind == Kind::kInt && draft_.loops > 0)
     return draft_.line(format("{} = {} % 7;", name, expressions_.integer(1)));
   draft_.line(format("{} = {};", name, expressions_.expression(kind, 1)));
@@ -187,11 +190,26 @@ void Statements::swap() {
 
 /// An auxiliary choice that nothing but an assert looks at, so that which value it has is not seen.
 void Statements::auxiliary() {
-  if (draft_.choices <= 0 || draft_.level > 0 || draft_.loops > 0) return optional_append();
+  if (draft_.choices <= draft_.level || draft_.loops > 0) return optional_append();
   const std::string name = draft_.fresh("w");
-  draft_.choices -= 1;
+  draft_.choices -= 1 + draft_.level;
   draft_.line(format("aux {} = {};", name, draft_.one_in(2) ? "range(0, 2)" : "choose([-1, 1, 1])"));
   draft_.line(format("assert({} {} {});", name, draft_.one_in(2) ? "==" : "<=", expressions_.integer(1)));
+}
+
+void Statements::pack() {
+  if (draft_.choices < 3 || draft_.level > 0 || draft_.loops > 0) return optional_append();
+  draft_.choices -= 3;
+  const std::string name = draft_.fresh("b");
+  draft_.line(format("{} = [range(0, 1) for u in 0..2];", name));
+  draft_.declare(name, Kind::kList);
+  if (draft_.one_in(3))
+    return draft_.line(format("assert(distinct({} + [{}]));", name, expressions_.integer(1)));
+  const std::string held = format("[cond(b == j, z, 0) for b, z in zip({}, [{}, 2, {}])]", name,
+                                  draft_.number(1, 3), draft_.number(1, 2));
+  draft_.line(
+      format("assert(all([sum({}) {} {} for j in 0..1]));", held, draft_.one_in(4) ? "==" : "<=",
+             draft_.one_in(2) ? draft_.any_of<std::string>({"2", "3", "4"}) : expressions_.integer(1)));
 }
 
 void Statements::optional_append() {

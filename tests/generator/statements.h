@@ -34,6 +34,8 @@ class Statements {
   void swap();
   void optional_append();
   void auxiliary();
+  /// Writes choices of bins for things, and that no bin holds too much.
+  void pack();
   void if_statement();
   /// Writes calls of one function at sites that exclude each other, with arguments and outer variables that
   /// are the same or not: calls share what was found out about one of them.

@@ -77,7 +77,7 @@ def check(run, call):
     if "message" in call.given:
         need(call, "message", [str], "a string")
     if not holds:
-        raise Rejected
+        run.break_assert(call.address())
 
 
 # ---- wishes

@@ -63,7 +63,7 @@ class Execution:
     """One run. `chooser(domain)` gives the value of the next choice. After `run` there is `value`, `choices`, `printed`,
     `placed`, and `cost`, which is None if no wish was met."""
 
-    def __init__(self, program, chooser, params, max_steps, max_depth):
+    def __init__(self, program, chooser, params, max_steps, max_depth, relaxed=False):
         self.program = program
         self.chooser = chooser
         self.params = params
@@ -71,12 +71,15 @@ class Execution:
         self.max_depth = max_depth
         self.frames = {}  # of files that run or have run
         self.value = None
+        self.returned = None  # the value before the output
         self.choices = {}
         self.printed = []
         self.unit = 1.0
         self.placed = []
         self.cost = None
         self.output_place = None  # of the output, once it runs
+        self.relaxed = relaxed  # whether asserts may be broken
+        self.broken = set()  # the addresses of asserts that are broken
         self.in_auxiliary = 0
         self.auxiliary = set()  # the addresses of auxiliary choices
         self.floats = set()  # the places where an operator met a float after a choice
@@ -84,7 +87,7 @@ class Execution:
     def run(self):
         """Raises ProgramError or Rejected."""
         main = self.program.main
-        self.value = self.run_module(main, [])
+        self.value = self.returned = self.run_module(main, [])
         if main.body and isinstance(main.body[-1], Output):
             self.run_output(main.body[-1], self.frames[main.file])
 
@@ -120,6 +123,11 @@ class Execution:
         if self.in_auxiliary:
             self.auxiliary.add(address)
         return value
+
+    def break_assert(self, address):
+        if not self.relaxed or self.output_place is not None:
+            raise Rejected
+        self.broken.add(address)
 
     def add_cost(self, cost):
         self.not_in_output()

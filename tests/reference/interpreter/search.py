@@ -47,8 +47,8 @@ class Enumeration:
 MOST_STEPS_OF_ALL = 3_000_000
 
 
-def all_executions(program, params=None, max_executions=2000, max_steps=200_000, max_depth=400):
-    """Runs the program in all of its executions. Raises TooMany where they are, or take, more than allowed."""
+def all_executions(program, params=None, max_executions=2000, max_steps=200_000, max_depth=400, relaxed=False):
+    """Runs the program in all of its executions, in which asserts may be broken if it is relaxed. Raises TooMany where they are, or take, more than allowed."""
     results = Results()
     steps = 0
     enumeration = Enumeration()
@@ -56,7 +56,7 @@ def all_executions(program, params=None, max_executions=2000, max_steps=200_000,
         results.executions += 1
         if results.executions > max_executions or steps > MOST_STEPS_OF_ALL:
             raise TooMany
-        execution = Execution(program, enumeration.choose, params or {}, max_steps, max_depth)
+        execution = Execution(program, enumeration.choose, params or {}, max_steps, max_depth, relaxed)
         try:
             execution.run()
             results.solutions.append(execution)
