@@ -85,12 +85,17 @@ struct TraceBlocker {
 
 /// An error that a concrete execution would report, or something that the pass could not express.
 struct TraceProgramError {
+  enum class Origin : std::uint8_t {
+    kProgram,  // every execution that comes here makes it
+    kPass,     // the pass cannot go on, though executions can
+    kSteps,    // some path that comes here takes too many steps, perhaps one that no execution takes
+  };
   NodeId guard;
   AddressId address;
   Span span;
   std::string message;
   std::string help;
-  bool of_program = true;  // false for what only the pass cannot express
+  Origin origin = Origin::kProgram;
 };
 
 /// All effects that one symbolic evaluation found, in program order. It is the trace graph of section 4.1.5,

@@ -68,9 +68,9 @@ ConditionSolver::Conditions ConditionSolver::core() {
 std::size_t ConditionSolver::inexpressible() {
   all();
   const auto& program_errors = solver_.trace().program_errors;
-  return static_cast<std::size_t>(
-      std::count_if(program_errors.begin(), program_errors.end(),
-                    [](const TraceProgramError& error) { return !error.of_program; }));
+  return static_cast<std::size_t>(std::count_if(
+      program_errors.begin(), program_errors.end(),
+      [](const TraceProgramError& error) { return error.origin != TraceProgramError::Origin::kProgram; }));
 }
 
 std::optional<OverFull> ConditionSolver::over_full(const Conditions& conditions) {

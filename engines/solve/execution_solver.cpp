@@ -40,6 +40,16 @@ void ExecutionSolver::explore() {
   sync();
 }
 
+bool ExecutionSolver::count_least_steps() {
+  if (explorer_.counts_least_steps()) return false;
+  {
+    const Stopwatch watch(times_.explore);
+    explorer_.count_least_steps();
+  }
+  sync();
+  return true;
+}
+
 /// Tells the solver what the newest pass found. Conditions of earlier passes stay: each says something true
 /// about the executions that its guard describes, whatever else has been opened since.
 void ExecutionSolver::sync() {

@@ -49,6 +49,10 @@ class ExecutionSolver {
   /// number of passes does not allow that. Throws Interrupted.
   bool explore_fully(std::size_t most_passes = SIZE_MAX);
 
+  /// Counts so few steps where paths join that no execution is refused for those of other paths, from a new
+  /// pass on. Returns false if that was so already. Throws Interrupted.
+  bool count_least_steps();
+
   enum class Outcome : std::uint8_t {
     kFound,
     kNone,        // proved

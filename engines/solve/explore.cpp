@@ -92,6 +92,11 @@ void Explorer::open_random_sides() {
   }
 }
 
+void Explorer::count_least_steps() {
+  limits_.least_steps = granted_.least_steps = true;
+  run_pass();
+}
+
 bool Explorer::open(const std::vector<std::size_t>& blockers) {
   if (exploration_.policy == Exploration::Policy::kRandom) return false;
   bool cut = false;

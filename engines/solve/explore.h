@@ -45,6 +45,9 @@ class Explorer {
   /// Opens what these blockers of the newest pass closed, and runs a pass. Returns false if the policy does
   /// not allow it.
   bool open(const std::vector<std::size_t>& blockers);
+  /// Runs a pass that joins paths with the steps of the shortest one, as all later ones do.
+  void count_least_steps();
+  bool counts_least_steps() const { return limits_.least_steps; }
   std::size_t passes() const { return passes_; }
 
  private:

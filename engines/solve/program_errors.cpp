@@ -26,18 +26,21 @@ void ProgramErrors::report_reachable() {
   const auto met = std::ranges::find_if(
       trace.program_errors, [&](const TraceProgramError& error) { return assignment.holds(error.guard); });
   if (met == trace.program_errors.end()) throw InternalError("a model that comes to an error comes to none");
-  throw ProgramError(diagnose(*met, solver_.met(assignment).values));
+  const std::optional<Diagnostic> error = diagnose(*met, solver_.met(assignment).values);
+  if (error) throw ProgramError(*error);
 }
 
-/// Returns the error to which an execution with these choices comes, as a run reports it.
-Diagnostic ProgramErrors::diagnose(const TraceProgramError& error, const Valuation& values) {
-  if (!error.of_program) return {error.span, error.message, error.help, {}};
-  try {
-    replayer_.run(values);
-  } catch (const ProgramError& reported) {
-    return reported.diagnostics().front();
-  }
-  throw InternalError("an execution that should come to an error came to none");
+/// Returns the error to which an execution with these choices comes, as a run reports it, or what the pass
+/// cannot express. Returns nothing after a further pass, which counts fewer steps since the execution comes
+/// to no error.
+std::optional<Diagnostic> ProgramErrors::diagnose(const TraceProgramError& error, const Valuation& values) {
+  using Origin = TraceProgramError::Origin;
+  const Diagnostic of_pass{error.span, error.message, error.help, {}};
+  if (error.origin == Origin::kPass) return of_pass;
+  if (std::optional<Diagnostic> reported = replayer_.error_of(values)) return reported;
+  if (error.origin == Origin::kProgram)
+    throw InternalError("an execution that should come to an error came to none");
+  return solver_.count_least_steps() ? std::nullopt : std::optional(of_pass);
 }
 
 std::vector<Diagnostic> ProgramErrors::find_all(bool* complete) {
@@ -64,9 +67,11 @@ std::vector<Diagnostic> ProgramErrors::find_all(bool* complete) {
     Assignment assignment = solver_.assignment();
     std::size_t number = 0;
     while (told[number] || !assignment.holds(errors[number].guard)) ++number;
-    const TraceProgramError& met = errors[number];
+    const TraceProgramError met = errors[number];
     const Valuation values = solver_.met(assignment).values;
-    diagnostics.push_back(diagnose(met, values));
+    std::optional<Diagnostic> found = diagnose(met, values);
+    if (!found) return find_all(complete);
+    diagnostics.push_back(std::move(*found));
     diagnostics.back().notes.push_back(leading_choices(met, values));
     for (std::size_t i = 0; i < told.size(); ++i) {  // the same error on other paths says nothing new
       if (errors[i].span == met.span && errors[i].message == met.message) told[i] = true;

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -13,14 +15,15 @@ class ProgramErrors {
  public:
   ProgramErrors(ExecutionSolver& solver, Replayer& replayer) : solver_(solver), replayer_(replayer) {}
 
-  /// Throws ProgramError if an execution on explored paths comes to an error.
+  /// Throws ProgramError if an execution on explored paths comes to an error. Runs a further pass where an
+  /// execution would be refused for the steps of others.
   void report_reachable();
   /// Looks into every side that an execution can come to. Returns each error with the choices that lead
   /// there, which have been run; `complete` becomes true if no limit came first.
   std::vector<Diagnostic> find_all(bool* complete);
 
  private:
-  Diagnostic diagnose(const TraceProgramError& error, const Valuation& values);
+  std::optional<Diagnostic> diagnose(const TraceProgramError& error, const Valuation& values);
   std::string leading_choices(const TraceProgramError& error, const Valuation& values) const;
 
   ExecutionSolver& solver_;

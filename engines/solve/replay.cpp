@@ -132,6 +132,18 @@ Execution Replayer::run(const Valuation& values) {
   return run(choices);
 }
 
+std::optional<Diagnostic> Replayer::error_of(const Valuation& values) {
+  struct NoMoreChoices {};
+  KnownValues choices(values, [](AddressId) { throw NoMoreChoices{}; });
+  try {
+    run(choices);
+  } catch (const NoMoreChoices&) {
+  } catch (const ProgramError& error) {
+    return error.diagnostics().front();
+  }
+  return std::nullopt;
+}
+
 Execution Replayer::run_written(const Valuation& values) {
   KnownValues choices(values, [this](AddressId address) {
     throw NotASolution("it has no choice " + solver_.addresses().text(address));

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/diagnostic.h"
 #include "engines/solution.h"
 #include "engines/solve/execution_solver.h"
 
@@ -24,6 +25,9 @@ class Replayer {
   /// Runs the program with these values. Throws InternalError if it meets a choice that has none,
   /// ProgramError, and Interrupted.
   Execution run(const Valuation& values);
+  /// Runs the program with these values up to the first choice that has none. Returns the error to which the
+  /// execution comes until then, if there is one. Throws Interrupted.
+  std::optional<Diagnostic> error_of(const Valuation& values);
 
  private:
   std::optional<Execution> read(Assignment& assignment);

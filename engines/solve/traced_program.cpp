@@ -48,12 +48,13 @@ TracedProgram::TracedProgram(const Program& program, ParamValues params, const T
       provenance_(program_, params_, options_, pins_, solver_) {}
 
 void TracedProgram::meet_pass() {
-  if (met_pass_ == solver_.passes()) return;
-  if (met_pass_ == 0) check_pins(pins_, solver_, program_, params_, for_solver(options_, stop_));
-  met_pass_ = solver_.passes();
-  for (const PinnedChoice& pinned : pinned_choices(graph_, pass(), pins_)) solver_.require(pinned.holds);
-  for (const NodeId condition : options_.method->conditions(graph_, trace())) solver_.require(condition);
-  if (!options_.relax) errors_.report_reachable();
+  while (met_pass_ != solver_.passes()) {
+    if (met_pass_ == 0) check_pins(pins_, solver_, program_, params_, for_solver(options_, stop_));
+    met_pass_ = solver_.passes();
+    for (const PinnedChoice& pinned : pinned_choices(graph_, pass(), pins_)) solver_.require(pinned.holds);
+    for (const NodeId condition : options_.method->conditions(graph_, trace())) solver_.require(condition);
+    if (!options_.relax) errors_.report_reachable();  // it may run a further pass
+  }
 }
 
 bool TracedProgram::explore_fully() {

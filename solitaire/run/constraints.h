@@ -89,9 +89,10 @@ class Constraints::Apart : public Effects {
   void followed(const Value& condition, Span span) override { outer_.followed(condition, span); }
   void blocked(const BranchSide& side, Span span) override { outer_.blocked(side, span); }
   void program_error(const Diagnostic&, AddressId) override {}
-  void unsupported(const Diagnostic& diagnostic, AddressId address) override {
+  void unsupported(const Diagnostic& diagnostic, AddressId address,
+                   TraceProgramError::Origin origin) override {
     unknown_ = graph_->disjunction(unknown_, path_.guard_since(region_));
-    outer_.unsupported(diagnostic, address);
+    outer_.unsupported(diagnostic, address, origin);
   }
   TraceRecorder* segments() override { return outer_.segments(); }
   bool is_apart() const override { return true; }

@@ -53,7 +53,7 @@ bool Control::join(std::span<const NodeId> guards, std::vector<std::optional<Sta
       joined->slots[each] = merge(*graph_, guards[i], ends[i]->slots[each], joined->slots[each]);
     }
     joined->value = merge(*graph_, guards[i], ends[i]->value, joined->value);
-    joined->steps = std::max(joined->steps, ends[i]->steps);
+    joined->steps = joined_steps(joined->steps, ends[i]->steps);
     joined->guarded_steps = std::max(joined->guarded_steps, ends[i]->guarded_steps);
   }
   restore(before, assigned);
@@ -119,6 +119,8 @@ void Control::add_exit(Exits& exits, NodeId guard, std::span<const Slot> slots, 
   if (!exits.any) {
     exits.any = true;
     exits.guard = guard;
+    exits.steps = path_.steps;
+    exits.guarded_steps = path_.guarded_steps;
     exits.value = std::move(value);
     exits.slots.clear();
     for (const Slot each : slots) exits.slots.push_back(slot(each));
@@ -129,10 +131,14 @@ void Control::add_exit(Exits& exits, NodeId guard, std::span<const Slot> slots, 
   }
   exits.value = merge(*graph_, guard, value, exits.value);
   exits.guard = graph_->disjunction(guard, exits.guard);
+  exits.steps = joined_steps(exits.steps, path_.steps);
+  exits.guarded_steps = std::max(exits.guarded_steps, path_.guarded_steps);
 }
 
 void Control::resume(Exits& exits, std::span<const Slot> slots) {
   for (std::size_t i = 0; i < slots.size(); ++i) slot(slots[i]) = std::move(exits.slots[i]);
+  path_.steps = exits.steps;
+  path_.guarded_steps = exits.guarded_steps;
 }
 
 }  // namespace solitaire

@@ -54,7 +54,8 @@ class Effects {
   /// The path ends since the program is wrong here; throws ProgramError where there is but one path.
   virtual void program_error(const Diagnostic& diagnostic, AddressId address) = 0;
   /// The path ends since the evaluation cannot go on here, though an execution might.
-  virtual void unsupported(const Diagnostic& diagnostic, AddressId address) = 0;
+  virtual void unsupported(const Diagnostic& diagnostic, AddressId address,
+                           TraceProgramError::Origin origin) = 0;
   /// The recorder whose segments stand for calls that several paths share; null where there is one path only.
   virtual TraceRecorder* segments() { return nullptr; }
   /// Returns true if this belongs to a condition that is looked at by itself.

@@ -13,6 +13,9 @@ struct Limits {
   /// blocker like a closed side.
   std::uint64_t fuel_steps = UINT64_MAX;
   std::uint32_t fuel_depth = UINT32_MAX;
+  /// Where paths join, a symbolic pass goes on with the steps of the shortest of them instead of the longest,
+  /// which no execution may take.
+  bool least_steps = false;
   /// The evaluation ends with Interrupted once it says so. May be null.
   const StopSignal* stop = nullptr;
   /// Executions go on past failed asserts, and past choices that lie outside of their range: for exploring

@@ -17,7 +17,8 @@ namespace solitaire {
 /// state.
 struct Exits {
   bool any = false;
-  NodeId guard = kFalse;  // since the region that they leave to began
+  NodeId guard = kFalse;                       // since the region that they leave to began
+  std::uint64_t steps = 0, guarded_steps = 0;  // as Path's
   std::vector<Value> slots;
   Value value;
 };

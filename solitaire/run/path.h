@@ -59,7 +59,7 @@ class Path {
   PathIntervals facts;
 
   std::uint32_t levels = 0;         // of undecided branches that may still be opened below
-  std::uint64_t steps = 0;          // of the longest execution that comes here
+  std::uint64_t steps = 0;          // of the longest path that comes here, see Limits::least_steps
   std::uint64_t guarded_steps = 0;  // those of them that only some executions make
 
  private:

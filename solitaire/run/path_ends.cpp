@@ -71,9 +71,10 @@ void PathEnds::program_error(Span span, const std::string& message, const std::s
   end_path();
 }
 
-void PathEnds::unsupported(Span span, const std::string& message, const std::string& help) {
+void PathEnds::unsupported(Span span, const std::string& message, const std::string& help,
+                           TraceProgramError::Origin origin) {
   if (!forks_) program_error(span, message, help);
-  effects_->unsupported({span, message, help, {}}, current_address());
+  effects_->unsupported({span, message, help, {}}, current_address(), origin);
   end_path();
 }
 
@@ -108,9 +109,8 @@ void PathEnds::check_steps(Span span, std::uint64_t count) {
     if (limits_.stop != nullptr && limits_.stop->stopped()) throw Interrupted{};
   }
   if (path_.steps > limits_.max_steps) {
-    // Where paths join, a pass goes on with the most steps of any: more than an execution may come to.
     unsupported(span, fmt::format("this runs for more than {} steps", limits_.max_steps),
-                "does a loop never end? --max-steps sets the limit");
+                "does a loop never end? --max-steps sets the limit", TraceProgramError::Origin::kSteps);
   }
   if (!path_.guarded()) return;
   path_.guarded_steps += count;

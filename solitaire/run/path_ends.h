@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -28,7 +29,8 @@ class PathEnds : public Machine {
   /// The program is wrong on this path.
   [[noreturn]] void program_error(Span span, const std::string& message, const std::string& help = "");
   /// The program may be right here, but a symbolic pass cannot go on.
-  [[noreturn]] void unsupported(Span span, const std::string& message, const std::string& help = "");
+  [[noreturn]] void unsupported(Span span, const std::string& message, const std::string& help = "",
+                                TraceProgramError::Origin origin = TraceProgramError::Origin::kPass);
   /// Returns true if only some executions come here.
   bool guarded() const { return path_.guarded(); }
   /// graph().apply, with what it throws turned into errors of the program.
@@ -45,6 +47,10 @@ class PathEnds : public Machine {
     if (depth_ > limits_.max_depth) fail_at_depth(span);
     if (forks_ && depth_ > limits_.fuel_depth && path_.guarded()) cut(span);
     if (__builtin_frame_address(0) < static_cast<const void*>(stack_limit_)) fail_at_depth(span);
+  }
+  /// The steps with which a path goes on where two join that took so many.
+  std::uint64_t joined_steps(std::uint64_t a, std::uint64_t b) const {
+    return limits_.least_steps ? std::min(a, b) : std::max(a, b);
   }
   /// Ends the path if the condition depends on floats and nobody can tell when it holds.
   void check_condition(NodeId condition, Span span);

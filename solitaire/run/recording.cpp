@@ -186,12 +186,13 @@ void SymbolicEffects::blocked(const BranchSide& side, Span span) {
 
 void SymbolicEffects::program_error(const Diagnostic& diagnostic, AddressId address) {
   recorder_.add(
-      TraceProgramError{path_.guard(), address, diagnostic.span, diagnostic.message, diagnostic.help, true});
+      TraceProgramError{path_.guard(), address, diagnostic.span, diagnostic.message, diagnostic.help});
 }
 
-void SymbolicEffects::unsupported(const Diagnostic& diagnostic, AddressId address) {
-  recorder_.add(
-      TraceProgramError{path_.guard(), address, diagnostic.span, diagnostic.message, diagnostic.help, false});
+void SymbolicEffects::unsupported(const Diagnostic& diagnostic, AddressId address,
+                                  TraceProgramError::Origin origin) {
+  recorder_.add(TraceProgramError{path_.guard(), address, diagnostic.span, diagnostic.message,
+                                  diagnostic.help, origin});
 }
 
 }  // namespace solitaire

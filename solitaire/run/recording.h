@@ -22,7 +22,9 @@ class ExecutionEffects : public Effects {
   void followed(const Value&, Span) override {}
   void blocked(const BranchSide&, Span) override {}
   void program_error(const Diagnostic& diagnostic, AddressId) override { throw ProgramError(diagnostic); }
-  void unsupported(const Diagnostic& diagnostic, AddressId) override { throw ProgramError(diagnostic); }
+  void unsupported(const Diagnostic& diagnostic, AddressId, TraceProgramError::Origin) override {
+    throw ProgramError(diagnostic);
+  }
 
  protected:
   Execution& execution_;
@@ -79,7 +81,8 @@ class SymbolicEffects : public Effects {
   void followed(const Value&, Span) override {}
   void blocked(const BranchSide& side, Span span) override;
   void program_error(const Diagnostic& diagnostic, AddressId address) override;
-  void unsupported(const Diagnostic& diagnostic, AddressId address) override;
+  void unsupported(const Diagnostic& diagnostic, AddressId address,
+                   TraceProgramError::Origin origin) override;
   TraceRecorder* segments() override { return &recorder_; }
 
  private:

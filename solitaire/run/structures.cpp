@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 #include "base/nearest_name.h"
 
@@ -63,16 +64,17 @@ void Structures::count_parts(const Value& value, Span span) {
   if (const Union* several = value.as_union()) count_largest(*several, span);
 }
 
-/// An execution has one of the alternatives, so that only the one with most parts counts.
+/// An execution has one of the alternatives, so that only one counts: that with most parts, as where paths
+/// join.
 void Structures::count_largest(const Union& several, Span span) {
   const std::uint64_t before = path_.steps;
-  std::uint64_t most = before;
+  std::optional<std::uint64_t> joined;
   for (const Union::Alternative& one : several.alternatives) {
     path_.steps = before;
     count_parts(one.value, span);
-    most = std::max(most, path_.steps);
+    joined = joined ? joined_steps(*joined, path_.steps) : path_.steps;
   }
-  path_.steps = most;
+  path_.steps = joined.value_or(before);
 }
 
 void Structures::needs_list(const Value& value, const char* user, Span span) {
