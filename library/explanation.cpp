@@ -147,6 +147,9 @@ std::string words_of(const solitaire::Condition& condition, const ExplanationCon
 
 namespace {
 
+/// So few conditions are as plain as the totals of their sums would be.
+constexpr std::size_t kMostPlain = 6;
+
 /// Returns "17 things that do not overlap need an area of 68, and lie within one of 64", "added up, these
 /// conditions ask for 84 at least, and allow 64 at most", or "" where that is not the reason.
 std::string reason_of(const solitaire::Conflict& conflict) {
@@ -156,6 +159,7 @@ std::string reason_of(const solitaire::Conflict& conflict) {
     return fmt::format("{} things that do not overlap need an area of {}, and lie within one of {}",
                        room.things, room.needed, room.available);
   }
+  if (room.is_sum && conflict.members.size() <= kMostPlain) return "";
   if (room.is_sum) {
     return fmt::format("added up, these conditions ask for {} at least, and allow {} at most", room.needed,
                        room.available);
