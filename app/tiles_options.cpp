@@ -93,9 +93,9 @@ void add_tiles_options(CLI::App& command, Options& options) {
   command.add_option("--jobs", job.jobs, "maps made at a time (default 1)")->check(CLI::Range(1, 256));
   command
       .add_option("--format", tiles_options.formats,
-                  "txt, png, json, tmx, vox, glb, separated by commas (default txt,png)")
+                  "txt, png, json, tmx, tmj, vox, glb, separated by commas (default txt,png)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"txt", "png", "json", "tmx", "vox", "glb"}));
+      ->check(CLI::IsMember({"txt", "png", "json", "tmx", "tmj", "vox", "glb"}));
   command
       .add_option("--pixels", tiles_options.pixels, "pixels of a tile without icon in .png files (default 8)")
       ->check(CLI::Range(1, 256));

@@ -114,6 +114,7 @@ TEST_CASE("the encodings of a Tiled layer say the same") {
           R"(<data><tile gid="5"/><tile gid="6"/><tile/><tile gid="6"/><tile gid="5"/><tile gid="5"/></data>)"),
       layer(R"(<data encoding="base64">)" + base64(bytes) + "</data>"),
       layer(R"(<data encoding="base64" compression="zlib">)" + base64(packed) + "</data>"),
+      layer(R"(<data encoding="base64" compression="zstd">KLUv/QBoZQAAggEChSAAAee8fycA</data>)"),
       layer(
           R"(<data encoding="csv"><chunk x="-2" y="0" width="2" height="2">5,6,6,5</chunk><chunk x="0" y="0" width="1" height="2">0,5</chunk></data>)"),
   };
@@ -180,6 +181,28 @@ TEST_CASE("a written map keeps what Tiled knows of it, and has one layer") {
   CHECK(written.find("\n5,5\n") != std::string::npos);
 }
 
+TEST_CASE("a map is written as .tmj after the pattern of one, and read back with its flags") {
+  const Land land;
+  const fs::path path =
+      land.write("m.tmj", R"({"orientation": "orthogonal", "infinite": true, "music": "slow",
+                   "tilesets": [{"firstgid": 5, "source": "land.tsx"}],
+                   "layers": [{"type": "objectgroup", "name": "marks"},
+                              {"type": "tilelayer", "name": "ground",
+                               "chunks": [{"x": 0, "y": 0, "width": 2, "height": 1,
+                                           "data": [5, 2147483654]}]}]})");
+  Tileset tileset;
+  const Grid map = read_tiled(path, tileset, true);
+  REQUIRE(map.size == Size{{2, 1, 1}});
+  const std::string moved = write_tmj(map, tileset, path, land.path() / "out");
+  CHECK(moved.find(R"("source": "../land.tsx")") != std::string::npos);
+  CHECK(moved.find("slow") != std::string::npos);
+  CHECK(moved.find("marks") == std::string::npos);
+  CHECK(moved.find("chunks") == std::string::npos);
+  Tileset again;
+  CHECK(read_tiled(land.write("copy.tmj", write_tmj(map, tileset, path, land.path())), again, true) == map);
+  CHECK(again[1].gid == 2147483654U);
+}
+
 TEST_CASE("mistakes in maps of Tiled are told") {
   const Land land;
   const auto error = [&](const std::string& text) { return error_of(land.write("m.tmx", text)); };
@@ -191,8 +214,8 @@ TEST_CASE("mistakes in maps of Tiled are told") {
         "m.tmx: a layer has more tiles than its size says");
   CHECK(error(map_with(layer(R"(<data encoding="csv">1,5,5,5,5,5</data>)"))) ==
         "m.tmx: no tileset has the gid 1");
-  CHECK(error(map_with(layer(R"(<data encoding="base64" compression="zstd">AAAA</data>)"))) ==
-        "m.tmx: the compression 'zstd' is not read; save the map with zlib or csv");
+  CHECK(error(map_with(layer(R"(<data encoding="base64" compression="lzma">AAAA</data>)"))) ==
+        "m.tmx: the compression 'lzma' is not read; save the map with zlib or csv");
   CHECK(error(map_with(layer(R"(<data encoding="base64" compression="zlib">AAAA</data>)"))) ==
         "m.tmx: a layer has packed data that are broken or of another size than it says");
   CHECK(error(map_with(R"(<layer width="1000000" height="1000000"><data encoding="csv">5</data></layer>)")) ==
@@ -248,6 +271,13 @@ TEST_CASE("a map of Tiled that lies about its size takes no memory") {
   CHECK(error_of(land.write("m.tmx", map_with(layer(R"(<data encoding="base64" compression="zlib">)" +
                                                     base64(bomb) + "</data>")))) ==
         "m.tmx: a layer has packed data that are broken or of another size than it says");
+  for (const std::string packed :
+       {"KLUv/QRoTAAACAABAPz/ORACAgAQAAIAEAACABAAAgAQAAIAEAACABAAAwAQAPE+FuE=", "AAAA", ""}) {
+    CAPTURE(packed);
+    CHECK(error_of(land.write("m.tmx", map_with(layer(R"(<data encoding="base64" compression="zstd">)" +
+                                                      packed + "</data>")))) ==
+          "m.tmx: a layer has packed data that are broken or of another size than it says");
+  }
 }
 
 }  // namespace

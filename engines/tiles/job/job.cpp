@@ -218,11 +218,11 @@ std::string Job::file(const std::string& format, int pixels, const std::filesyst
       throw RequestError(error.what());
     }
   }
-  if (format == "tmx") {
-    const std::filesystem::path& original = state_->request.exemplars.front().file;
-    if (original.extension() != ".tmx")
-      throw RequestError("--format tmx needs a .tmx map as the first exemplar");
-    return write_tmx(sample.map, tileset, original, folder);
+  if (format == "tmx" || format == "tmj") {
+    const auto& exemplars = state_->request.exemplars;
+    if (exemplars.empty() || exemplars.front().file.extension() != "." + format)
+      throw RequestError(fmt::format("--format {0} needs a .{0} map as the first exemplar", format));
+    return (format == "tmx" ? write_tmx : write_tmj)(sample.map, tileset, exemplars.front().file, folder);
   }
   return write_json(sample.map, tileset,
                     {{"index", state_->number},

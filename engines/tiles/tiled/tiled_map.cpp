@@ -4,6 +4,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <zlib.h>
+#include <zstd.h>
 
 #include "base/file_error.h"
 #include "engines/tiles/model/grid.h"
@@ -51,7 +52,18 @@ std::string decode_base64(const std::string& file, const std::string& text) {
   return bytes;
 }
 
-/// Unpacks exactly so many bytes.
+[[noreturn]] void fail_packed(const std::string& file) {
+  throw FileError(file, "a layer has packed data that are broken or of another size than it says");
+}
+
+/// Unpacks exactly so many bytes, and takes no more memory than they need.
+std::string unpack_zstd(const std::string& file, const std::string& packed, std::size_t size) {
+  std::string bytes(size, '\0');
+  if (ZSTD_decompress(bytes.data(), size, packed.data(), packed.size()) != size) fail_packed(file);
+  return bytes;
+}
+
+/// The same for zlib and gzip.
 std::string inflate_bytes(const std::string& file, const std::string& packed, std::size_t size) {
   std::string bytes(size, '\0');
   z_stream stream{};
@@ -64,8 +76,7 @@ std::string inflate_bytes(const std::string& file, const std::string& packed, st
   const int status = inflate(&stream, Z_FINISH);
   const bool whole = status == Z_STREAM_END && stream.avail_out == 0;
   inflateEnd(&stream);
-  if (!whole)
-    throw FileError(file, "a layer has packed data that are broken or of another size than it says");
+  if (!whole) fail_packed(file);
   return bytes;
 }
 
@@ -82,6 +93,8 @@ std::vector<std::uint32_t> decode_gids(const std::string& file, const std::strin
     std::string bytes = decode_base64(file, text);
     if (compression == "zlib" || compression == "gzip") {
       bytes = inflate_bytes(file, bytes, 4 * count);
+    } else if (compression == "zstd") {
+      bytes = unpack_zstd(file, bytes, 4 * count);
     } else if (!compression.empty()) {
       throw FileError(
           file, fmt::format("the compression '{}' is not read; save the map with zlib or csv", compression));

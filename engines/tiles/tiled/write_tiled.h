@@ -12,4 +12,12 @@ namespace solitaire::tiles {
 std::string write_tmx(const Grid& map, const Tileset& tileset, const std::filesystem::path& original,
                       const std::filesystem::path& folder);
 
+/// The same as .tmj, after the pattern of a .tmj.
+std::string write_tmj(const Grid& map, const Tileset& tileset, const std::filesystem::path& original,
+                      const std::filesystem::path& folder);
+
+/// Returns the name, for a file in `folder`, of what a file beside `original` names so.
+std::string moved_name(const std::string& name, const std::filesystem::path& original,
+                       const std::filesystem::path& folder);
+
 }  // namespace solitaire::tiles

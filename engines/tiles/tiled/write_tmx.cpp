@@ -10,12 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes the name of a file that stands beside `original` relative to another folder.
 void rename_source(pugi::xml_attribute source, const fs::path& original, const fs::path& folder) {
-  if (!source) return;
-  const fs::path from = fs::absolute(original.parent_path() / source.as_string()).lexically_normal();
-  const fs::path relative = from.lexically_relative(fs::absolute(folder).lexically_normal());
-  source.set_value(relative.generic_string().c_str());
+  if (source) source.set_value(moved_name(source.as_string(), original, folder).c_str());
 }
 
 void set(pugi::xml_node node, const char* name, int value) {
@@ -52,6 +48,11 @@ pugi::xml_node only_layer(pugi::xml_node root) {
 }
 
 }  // namespace
+
+std::string moved_name(const std::string& name, const fs::path& original, const fs::path& folder) {
+  const fs::path from = fs::absolute(original.parent_path() / name).lexically_normal();
+  return from.lexically_relative(fs::absolute(folder).lexically_normal()).generic_string();
+}
 
 std::string write_tmx(const Grid& map, const Tileset& tileset, const fs::path& original,
                       const fs::path& folder) {
