@@ -48,8 +48,8 @@ class TiledLayer {
   std::vector<Chunk> chunks_;
 };
 
-/// Decodes the data of a layer. `encoding` is csv or base64, `compression` empty, zlib, gzip or zstd; `count` gids
-/// are wanted, and no more memory than for these is taken. Throws FileError.
+/// Decodes the data of a layer. `encoding` is csv or base64, `compression` empty, zlib, gzip or zstd; `count`
+/// gids are wanted, and no more memory than for these is taken. Throws FileError.
 std::vector<std::uint32_t> decode_gids(const std::string& file, const std::string& text,
                                        const std::string& encoding, const std::string& compression,
                                        std::size_t count);
