@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Steps and effective draws per second of `solitaire sample`, beside programs written by hand, WebPPL and JAGS.
 
-    python3 bench/sampling/compare.py build/app/solitaire build/bench/sampling_twins [MODEL...]
+    python3 bench/sampling/compare.py build/app/solitaire build/bench/sampling_twins [--rounds N] [MODEL...]
 
-Each model is measured in rounds, in which everything runs once, one after the other; of five rounds the best counts. So a
+Each model is measured in rounds, in which everything runs once, one after the other; of five rounds, or N, the best counts. So a
 disturbance of the machine meets all alike; seconds are those of the processor, not of the clock. Prints a table in Markdown, a
 row when its model is done.
 
@@ -16,34 +16,33 @@ row when its model is done.
 What is not installed is left out.
 """
 
+import argparse
 import json
 import math
 import re
 import resource
 import shutil
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 EXAMPLES = HERE.parents[1] / "examples" / "sampling"
-ROUNDS = 5
 TWIN_SECONDS = 0.3
 # How many draws shred and lightweight make, and how many steps WebPPL: a second's work, or less.
 MODELS = {
-    "ising": (20000, 40, 5000),
-    "regression": (100000, 400, 5000),
-    "rats": (10000, 10, 3000),
+    "ising": (10000, 40, 3000),
+    "regression": (50000, 400, 5000),
+    "rats": (5000, 10, 2000),
     "mixture": (50000, 200, 10000),
     "infinite_mixture": (30000, 100, 0),
     "lda": (2000, 4, 1000),
     "hdp": (20000, 60, 0),
     "citations": (50000, 200, 0),
-    "sum_or_product": (100000, 4000, 30000),
+    "sum_or_product": (50000, 4000, 30000),
     "polynomial": (50000, 800, 20000),
 }
-JAGS_DRAWS = {"regression": 100000, "rats": 10000, "lda": 2000}
+JAGS_DRAWS = {"regression": 20000, "rats": 10000, "lda": 2000}
 JAGS_MONITORED = {"regression": ["intercept", "slope"], "rats": ["alpha_c", "beta_c", "tau"], "lda": ["high_share", "low_share"]}
 
 
@@ -178,9 +177,9 @@ def runners(program, twins, model):
     return found
 
 
-def best_of_rounds(runs):
+def best_of_rounds(runs, rounds):
     best = {}
-    for seed in range(ROUNDS):
+    for seed in range(rounds):
         for name, run in runs.items():
             for what, rate in run(seed).items():
                 best[name, what] = max(rate, best.get((name, what), 0))
@@ -206,11 +205,16 @@ def shown(rate):
 
 
 def main():
-    program, twins, models = sys.argv[1], sys.argv[2], sys.argv[3:] or list(MODELS)
+    parser = argparse.ArgumentParser(description="see the top of this file")
+    parser.add_argument("program")
+    parser.add_argument("twins")
+    parser.add_argument("models", nargs="*", metavar="MODEL", default=list(MODELS))
+    parser.add_argument("--rounds", type=int, default=5)
+    asked = parser.parse_args()
     print("| model | " + " | ".join(COLUMNS) + " |")
     print("| --- " * (len(COLUMNS) + 1) + "|")
-    for model in models:
-        best = best_of_rounds(runners(program, twins, model))
+    for model in asked.models:
+        best = best_of_rounds(runners(asked.program, asked.twins, model), asked.rounds)
         print(f"| {model} | " + " | ".join(shown(best.get(key)) for key in COLUMNS.values()) + " |", flush=True)
 
 
