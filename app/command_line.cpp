@@ -26,6 +26,8 @@ void add_generate_options(CLI::App& command, Options& options) {
   command.add_flag("--json", options.json, "also print solutions, a JSON object a line");
   command.add_flag("--resume", options.resume,
                    "go on with the run that left its solutions in the folder, without repeating any");
+  command.add_flag("--instancing", options.instancing,
+                   "let things that look alike share a node of the .glb (EXT_mesh_gpu_instancing)");
   command.add_flag("--timings", options.timings,
                    "keep the times in the .json files, which then differ from run to run");
   add_picture_options(command, options);

@@ -12,7 +12,8 @@ namespace solitaire::app {
 ExitStatus generate_command(const Options& options, Watchdog& watchdog) {
   const Session session(options);
   Search search(session.program, session.search);
-  OutputFolder output(options.output, session.program, session.search, options.timings, options.pictures);
+  OutputFolder output(options.output, session.program, session.search, options.timings, options.pictures,
+                      options.instancing);
   if (options.resume) output.resume(search);
   const auto found = [&](const Solution& solution) {
     output.add(solution, search.summary());

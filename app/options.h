@@ -42,6 +42,7 @@ struct Options {
   bool json = false;
   bool timings = false;
   bool resume = false;
+  bool instancing = false;
   std::optional<PictureSize> pictures;  // of the scenes
   bool deep = false;
   bool quiet = false;

@@ -1,8 +1,8 @@
-// Shows: a tower of bricks: every layer is full, and every brick holds two bricks of the layer below together.
+// Shows: a house of bricks: every layer is full, and every brick holds two bricks of the layer below together.
 import "std/layout.sol";
 
 param size = 4;       // in studs, square
-param layers = 3;
+param layers = 4;
 param bricks = 4;     // in a layer
 
 record Brick(x, y, w, d, turn, color);
@@ -25,6 +25,10 @@ for below, above in zip(tower, cdr(tower)) {
 
 unit(0.008);
 output {
+  for y in [-2, 2]: place("plate_8x4", at: [-2, y, -0.4], color: "green");
+  for y in 0..size - 1 {
+    if y % 2 == 0 then place("slope_4x2", at: [0, y, 1.2 * layers], turn: if y < size / 2 then 0 else 2, color: "maroon");
+  }
   for i, layer in enumerate(tower) {
     for b in layer {
       place(str("brick_", b.w, "x", b.d), at: [b.x, b.y, 1.2 * i], turn: b.turn, color: b.color);

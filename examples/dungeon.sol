@@ -26,18 +26,18 @@ for k in 0..locks - 1: assert(order[keys[k]] < order[locked[k]], "the key comes 
 assert(locked[0] == rooms - 1 and keys[0] != 0, "the last room is locked");
 
 fun show_gate(kind, gate, color) {
-  place(kind, at: if gate.upwards then [gate.x - 0.2, gate.y] else [gate.x, gate.y - 0.2], size: [1, 0.4],
+  place(kind, at: if gate.upwards then [gate.x - 0.2, gate.y] else [gate.x, gate.y - 0.2], size: [1, 0.4, 1.05],
         turn: if gate.upwards then 1 else 0, color: color);
 }
 
 output {
-  show_rooms(dungeon, 0.3, 1.6, "stone");
+  show_rooms(dungeon, 0.3, 0.95, "stone");   // so low that nobody has to cut them off
   for i, door in enumerate(doors) { if i + 1 not in locked then show_gate("dungeon_arch", door, nil); }
   for i, room in enumerate(dungeon) {
     for x in 0..room.w - 1 { for y in 0..room.d - 1: place("dungeon_floor", at: [room.x + x, room.y + y, 0.0]); }
     if i % 3 == 1 then place("barrel", at: [room.x + 0.3, room.y + room.d - 0.95]);
     if i % 3 == 2 then place("skeleton", at: [room.x + room.w - 1.1, room.y + 0.6], turn: i % 4);
-    place("torch", at: [room.x + room.w / 2.0 - 0.05, room.y + room.d - 0.42, 0.7]);
+    place("torch", at: [room.x + room.w / 2.0 - 0.05, room.y + room.d - 0.42, 0.4]);
   }
   last_room = dungeon[rooms - 1];
   place("chest", at: [last_room.x + last_room.w / 2.0 - 0.4, last_room.y + last_room.d / 2.0 - 0.3]);

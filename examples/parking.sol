@@ -58,6 +58,7 @@ output {
       }
     }
   }
-  place("gate", at: [gate, -0.3], size: [1, 0.2, 0.4], color: "red");
+  for x in [gate, gate + 0.96]: place("post", at: [x, -0.28], size: [0.04, 0.04, 0.22], color: "silver");
+  for k in 0..5: place("barrier", at: [gate + 0.04 + 0.15 * k, -0.27, 0.17], size: [0.15, 0.02, 0.03], color: if k % 2 == 0 then "red" else "white");
   print(str(count(flat(lot), "stall"), " stalls"));
 }

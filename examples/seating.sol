@@ -17,10 +17,12 @@ for i, guest in enumerate(guests) {
   if guest.rival in names then assert(at[i] != at[index_of(names, guest.rival)], "not with a rival");
 }
 
+unit(0.5);
 output {
+  place("floor", at: [-2, -2.5], size: [6 * tables + 1, 8], material: "oak");
   for t in 0..tables - 1 {
     here = [g for g, table in zip(guests, at) if table == t];
-    place("round_dining_table", at: [6 * t, 0], size: [3, 3, 0.78]);
+    place("round_dining_table", at: [6 * t, 0], size: [3, 3]);
     for i, guest in enumerate(here) {
       angle = 6.2832 * i / length(here);
       place("restaurant_chair", at: [6 * t + 1 + 2.2 * cos(angle), 1 + 2.2 * sin(angle)], size: [1, 1], angle: 57.296 * angle + 270, name: guest.name);

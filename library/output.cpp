@@ -38,9 +38,9 @@ std::string shortened(const std::string& text) {
 }
 
 /// Returns true if the file is there and shows the scene: it was neither removed nor cut short since.
-bool is_written(const Scene& scene, const fs::path& file) {
+bool is_written(const Scene& scene, const fs::path& file, Nodes nodes) {
   try {
-    verify_glb(file, scene);
+    verify_glb(file, scene, nodes);
     return true;
   } catch (const SceneError&) {
     return false;
@@ -83,11 +83,12 @@ std::optional<PictureSize> parse_picture_size(const std::string& text) {
 class OutputFolder::State {
  public:
   State(const fs::path& folder, const Program& program, const SearchOptions& options, bool timings,
-        const std::optional<PictureSize>& pictures)
+        const std::optional<PictureSize>& pictures, bool instancing)
       : folder_(folder),
         program_(program),
         options_(options),
         timings_(timings),
+        nodes_(instancing ? Nodes::kInstances : Nodes::kOneEach),
         assets_(program.state().asset_library()),
         lock_(std::in_place, made_folder(folder)),
         page_(folder, program.state().data / "page") {
@@ -105,10 +106,10 @@ class OutputFolder::State {
       if (solution.quality && optimal) solution.quality->proved_best = *optimal;
       GalleryEntry entry = entry_of(solution);
       const auto scene = scene_of_entry(entry, solution);
-      if (scene && !is_written(*scene, folder_ / entry.glb))
-        solitaire::write_glb(*scene, folder_ / entry.glb);
+      if (scene && !is_written(*scene, folder_ / entry.glb, nodes_))
+        solitaire::write_glb(*scene, folder_ / entry.glb, nodes_);
       if (scene && pictures_) entry.picture = pictures_->take_up(*scene, entry.name);
-      show(std::move(entry), solution, scene, scene ? glb_bytes(*scene) : "");
+      show(std::move(entry), solution, scene, scene ? glb_bytes(*scene, nodes_) : "");
     }
     written_ = search.summary();
   }
@@ -118,7 +119,7 @@ class OutputFolder::State {
     const auto scene = scene_of_entry(entry, solution);
     std::string glb;
     if (scene) {
-      glb = solitaire::write_glb(*scene, folder_ / entry.glb);
+      glb = solitaire::write_glb(*scene, folder_ / entry.glb, nodes_);
       if (pictures_) entry.picture = pictures_->draw(*scene, entry.name);
     }
     const std::string file = entry.json, text = json(entry.name, solution, summary);
@@ -223,6 +224,7 @@ class OutputFolder::State {
   Program program_;
   SearchOptions options_;
   bool timings_;
+  Nodes nodes_;
   AssetLibrary assets_;
   std::optional<FolderLock> lock_;  // until the folder is closed
   std::optional<PictureFiles> pictures_;
@@ -233,9 +235,9 @@ class OutputFolder::State {
 };
 
 OutputFolder::OutputFolder(const fs::path& folder, const Program& program, const SearchOptions& options,
-                           bool timings, const std::optional<PictureSize>& pictures)
+                           bool timings, const std::optional<PictureSize>& pictures, bool instancing)
     : state_(translated(program.state().program.sources, [&] {
-        return std::make_unique<State>(folder, program, options, timings, pictures);
+        return std::make_unique<State>(folder, program, options, timings, pictures, instancing);
       })) {}
 OutputFolder::~OutputFolder() = default;
 

@@ -1,6 +1,7 @@
 #include "library/scene_of.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "library/json.h"
 #include "scene/build_scene.h"
@@ -45,11 +46,12 @@ void mark(const Solution& solution, const Placement& placement, PlacedThing& mar
 
 Scene scene_of(const Solution& solution, const std::string& title, AssetLibrary& assets) {
   std::vector<PlacedThing> things;
+  things.reserve(solution.placements.size());
   for (const Placement& placement : solution.placements) {
     things.push_back(to_thing(placement));
     mark(solution, placement, things.back());
   }
-  return build_scene(things, solution.unit, title, assets);
+  return build_scene(std::move(things), solution.unit, title, assets);
 }
 
 }  // namespace solitaire::api

@@ -78,10 +78,18 @@ void read_use(const AssetModel& model, Asset& asset) {
   if (role == "opening") asset.role = Asset::Role::kOpening;
 }
 
+/// Scenes that Solitaire writes have a ground, which is no part of what they show.
+bool is_ground(const AssetModel& model, int root) {
+  const auto& extras = model.gltf.nodes[static_cast<std::size_t>(root)].extras;
+  return extras.Has("role") && extras.Get("role").IsString() &&
+         extras.Get("role").Get<std::string>() == "ground";
+}
+
 Asset load_asset(const fs::path& file) {
   auto model = std::make_shared<AssetModel>();
   model->gltf = read_gltf(file);
   model->roots = root_nodes(model->gltf);
+  std::erase_if(model->roots, [&](int root) { return is_ground(*model, root); });
   model->primary_material = first_material(*model);
 
   Asset asset;

@@ -17,20 +17,34 @@ namespace {
 constexpr double kThinnest = 0.001;  // metres; a size of 0 would leave a node that cannot be inverted
 constexpr double kLargest = 1e7;     // metres; beyond it 32-bit floats no longer tell centimetres apart
 
+/// Returns the lowest and the highest of the outline's points, along both axes.
+Box3 extent_of(const Outline& outline) {
+  Box3 extent;
+  for (const auto& [x, y] : outline) extent.include({x, y, 0});
+  return extent;
+}
+
 /// Returns the size that a thing has if its program says nothing: width, depth, height.
-Vec3 own_size(const Asset* asset, double unit, double scale) {
+Vec3 own_size(const ThingOptions& options, const Asset* asset, double unit) {
   Vec3 size = asset ? natural_size(*asset) : Vec3{unit, unit, unit};
-  for (double& length : size) length *= scale;
+  if (!options.outline.empty()) {
+    const Vec3 extent = extent_of(options.outline).size();
+    size = {extent[0] * unit, extent[1] * unit, options.extrude * unit};
+  }
+  for (double& length : size) length *= options.scale;
   return size;
 }
 
 /// Returns the size that the program asks for: width, depth, height.
-Vec3 wanted_size(const PlacedThing& thing, const Asset* asset, double unit, double scale) {
+Vec3 wanted_size(const PlacedThing& thing, const ThingOptions& options, const Asset* asset, double unit) {
   const auto& wanted = thing.size;
-  if (!wanted.empty() && scale != 1) refuse(thing, "'scale' stands beside 'size': give one of them");
+  if (!wanted.empty() && options.scale != 1) refuse(thing, "'scale' stands beside 'size': give one of them");
   if (!wanted.empty() && wanted.size() != 2 && wanted.size() != 3)
     refuse(thing, "size needs [w, d] or [w, d, h]");
-  if (wanted.empty()) return own_size(asset, unit, scale);
+  if (!wanted.empty() && !options.outline.empty())
+    refuse(thing, "'outline' stands beside 'size': it says how large the thing is");
+  if (asset && !options.outline.empty()) refuse(thing, "'outline' is for things that no model shows");
+  if (wanted.empty()) return own_size(options, asset, unit);
   Vec3 size{wanted[0] * unit, wanted[1] * unit, 0};
   if (wanted.size() == 3) {
     size[2] = wanted[2] * unit;
@@ -55,16 +69,17 @@ Vec3 fitted_size(const PlacedThing& thing, const Asset* asset, const Vec3& wante
 
 PlacedBox place_box(const PlacedThing& thing, const ThingOptions& options, const Asset* asset, double unit) {
   PlacedBox box;
-  const Vec3 wanted = wanted_size(thing, asset, unit, options.scale);
+  const Vec3 wanted = wanted_size(thing, options, asset, unit);
   box.size = fitted_size(thing, asset, wanted);
   const int turn = ((thing.turn % 4) + 4) % 4;
   box.angle = thing.angle ? *thing.angle : turn * 90.0;
   box.pitch = options.pitch;
   box.roll = options.roll;
+  const Vec3 first = options.outline.empty() ? Vec3{} : extent_of(options.outline).low;
   const bool swapped = !thing.angle && turn % 2 == 1;
   const Vec3 half{wanted[swapped ? 1 : 0] / 2, wanted[swapped ? 0 : 1] / 2, 0};
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = thing.at[axis] * unit;
+    const double low = (thing.at[axis] + first[axis]) * unit;
     if (!(std::abs(low) <= kLargest)) refuse(thing, "at is not finite or beyond measure");
     box.center[axis] = low + half[axis];
   }
@@ -110,10 +125,11 @@ std::optional<Paint> paint_of(const PlacedThing& thing, const ThingOptions& opti
   return paint;
 }
 
-SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& assets) {
-  const ThingOptions options = read_options(thing);
+SceneObject make_object(PlacedThing given, double unit, AssetLibrary& assets) {
   SceneObject object;
-  object.thing = thing;
+  object.thing = std::move(given);
+  const PlacedThing& thing = object.thing;
+  const ThingOptions options = read_options(thing);
   try {
     object.asset = assets.find(thing.asset, thing.folder);
   } catch (const SceneError& error) {
@@ -124,6 +140,8 @@ SceneObject make_object(const PlacedThing& thing, double unit, AssetLibrary& ass
   object.color = object.paint ? object.paint->over(object.asset ? object.asset->color : Color{1, 1, 1})
                               : object.asset->color;
   object.parents = options.parents.empty() ? thing.groups : options.parents;
+  object.label = options.label;
+  if (!options.outline.empty()) object.outline = in_unit_square(options.outline);
   object.node_transform = node_transform(object.box, object.asset);
   return object;
 }
@@ -163,13 +181,13 @@ class TreeBuilder {
 
 }  // namespace
 
-Scene build_scene(const std::vector<PlacedThing>& things, double unit, const std::string& title,
+Scene build_scene(std::vector<PlacedThing> things, double unit, const std::string& title,
                   AssetLibrary& assets) {
   if (!(unit > 0 && unit <= kLargest)) throw SceneError("the unit must be a positive number of metres");
   Scene scene;
   scene.title = title;
   scene.objects.reserve(things.size());
-  for (const PlacedThing& thing : things) scene.objects.push_back(make_object(thing, unit, assets));
+  for (PlacedThing& thing : things) scene.objects.push_back(make_object(std::move(thing), unit, assets));
   TreeBuilder tree(scene);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) tree.add(i);
   make_openings(scene);

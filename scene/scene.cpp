@@ -35,6 +35,7 @@ Box3 bounds(const PlacedBox& box) {
 }
 
 bool is_wall(const SceneObject& object) {
+  if (!object.outline.empty()) return false;
   if (object.asset) return object.asset->role == Asset::Role::kWall;
   return has_word(object.thing.name, "wall") || has_word(object.thing.asset, "wall");
 }
@@ -43,6 +44,10 @@ std::string plain_name(const SceneObject& object) {
   if (!object.thing.name.empty()) return object.thing.name;
   if (object.asset) return object.asset->name;
   return object.thing.asset.empty() ? "box" : object.thing.asset;
+}
+
+std::string text_on(const SceneObject& object) {
+  return object.label.empty() ? plain_name(object) : object.label;
 }
 
 }  // namespace solitaire

@@ -7,6 +7,7 @@
 #include "scene/color.h"
 #include "scene/geometry.h"
 #include "scene/opening.h"
+#include "scene/outline.h"
 #include "scene/paint.h"
 #include "scene/placed_thing.h"
 
@@ -31,6 +32,8 @@ struct SceneObject {
   std::vector<std::string> parents;  // the names of the tree nodes above it, outermost first
   Transform node_transform;          // of its glTF node: brings the asset, or the unit box, to its place
   std::vector<Opening> openings;     // of a wall
+  Outline outline;                   // that a box stands on in place of a rectangle, in the unit square
+  std::string label;                 // what drawings write on it
 };
 
 /// A node of the scene's tree: an object, or a group for one call of the program.
@@ -63,5 +66,8 @@ bool is_wall(const SceneObject& object);
 
 /// Returns the object's name before it is made unique: the program's name for it, or that of its asset.
 std::string plain_name(const SceneObject& object);
+
+/// Returns what a drawing writes on the object: its label, or else its plain name.
+std::string text_on(const SceneObject& object);
 
 }  // namespace solitaire

@@ -1,5 +1,6 @@
 #include "scene/thing_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,6 +33,20 @@ class OptionReader {
   double positive() const {
     if (number() <= 0) fail("is a positive number");
     return number();
+  }
+  /// A string as it is, and anything else as its JSON text.
+  std::string text() const { return value_.is_string() ? value_.get<std::string>() : text_; }
+  Outline outline() const {
+    Outline points;
+    for (const json& point : value_) {
+      const auto is_number = [](const json& part) { return part.is_number(); };
+      if (!point.is_array() || point.size() != 2 || !std::ranges::all_of(point, is_number))
+        fail("is a list of points [x, y]");
+      points.push_back({point[0].get<double>(), point[1].get<double>()});
+    }
+    if (const char* fault = fault_of(points); *fault != '\0')
+      refuse(thing_, fmt::format("'outline' {}", fault));
+    return points;
   }
 
  private:
@@ -69,6 +84,9 @@ ThingOptions read_options(const PlacedThing& thing) {
     if (name == "pitch") options.pitch = OptionReader(thing, name, text).number();
     if (name == "roll") options.roll = OptionReader(thing, name, text).number();
     if (name == "scale") options.scale = OptionReader(thing, name, text).positive();
+    if (name == "label") options.label = OptionReader(thing, name, text).text();
+    if (name == "outline") options.outline = OptionReader(thing, name, text).outline();
+    if (name == "extrude") options.extrude = OptionReader(thing, name, text).positive();
     if (name == "parent") options.parents = steps_of(OptionReader(thing, name, text).string());
   }
   return options;

@@ -32,6 +32,23 @@ TEST_CASE("scene: a model that keeps its proportions is as large as its ground a
   check_point(scene.objects[3].box.size, natural);
 }
 
+TEST_CASE("scene: every file has a ground below all of it, which reaches past it") {
+  AssetLibrary assets = bundled();
+  const Scene scene =
+      build_scene({placed("", {3, 4, -1}, {2, 2, 2}), placed("", {9, 4, 0}, {2, 2, 2})}, 1, "test", assets);
+  const json file = json_of(glb_bytes(scene));
+  const json& ground = node_named(file, "ground");
+  CHECK(ground["extras"]["role"] == "ground");
+  const json& primitive = file["meshes"][ground["mesh"].get<std::size_t>()]["primitives"][0];
+  const json& points = file["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+  CHECK(points["max"][1].get<double>() < -1);
+  CHECK(points["max"][1].get<double>() > -1.01);
+  CHECK(points["min"][0].get<double>() < 0);
+  CHECK(points["max"][0].get<double>() > 14);
+  CHECK(points["min"][2].get<double>() < -9);
+  CHECK(points["max"][2].get<double>() > -1);
+}
+
 TEST_CASE("scene: every file has a camera that looks at the scene, and a sun") {
   AssetLibrary assets = bundled();
   PlacedThing named_so = placed("", {3, 4, 0}, {2, 2, 2});

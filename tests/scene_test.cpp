@@ -117,7 +117,7 @@ TEST_CASE("scene: nodes share an asset's mesh, and colours share its geometry") 
     placements.push_back(placed("no such model", {i * 1.0, 4, 0}));
   }
   const json file = json_of(glb_bytes(build_scene(placements, 1, "test", assets)));
-  CHECK(file["meshes"].size() == 4);  // chair, two colours of it, one box
+  CHECK(file["meshes"].size() == 5);  // chair, two colours of it, one box, the ground
   std::set<int> positions;
   std::map<int, int> uses;
   for (const json& mesh : file["meshes"]) {
@@ -127,8 +127,8 @@ TEST_CASE("scene: nodes share an asset's mesh, and colours share its geometry") 
   for (const json& node : file["nodes"]) {
     if (node.contains("mesh")) ++uses[node["mesh"].get<int>()];
   }
-  CHECK(uses == std::map<int, int>{{0, 10}, {1, 2}, {2, 4}, {3, 2}});
-  CHECK(positions.size() == json_of(read_file(kAssets / "chair.glb"))["meshes"][0]["primitives"].size() + 1);
+  CHECK(uses == std::map<int, int>{{0, 10}, {1, 2}, {2, 4}, {3, 2}, {4, 1}});
+  CHECK(positions.size() == json_of(read_file(kAssets / "chair.glb"))["meshes"][0]["primitives"].size() + 2);
 }
 
 TEST_CASE("scene: a user's file is copied with its hierarchy, materials and images") {
@@ -149,15 +149,15 @@ TEST_CASE("scene: a user's file is copied with its hierarchy, materials and imag
   const fs::path path = folder / "out.glb";
   write_glb(scene, path);
   const json written = json_of(read_file(path));
-  CHECK(written["meshes"].size() == 1);
+  CHECK(written["meshes"].size() == 2);  // and the ground
   CHECK(written["images"].size() == 1);
   CHECK(written["images"][0]["mimeType"] == "image/png");
   CHECK(written["samplers"][0]["wrapS"] == 33071);
   CHECK(written["meshes"][0]["primitives"][1]["mode"] == 2);
-  CHECK(written["materials"].size() == 2);
+  CHECK(written["materials"].size() == 3);
   std::set<std::string> names;
   for (const json& node : written["nodes"]) names.insert(node["name"].get<std::string>());
-  CHECK(names.size() == 3 + 2 * 4);  // with the camera and the sun
+  CHECK(names.size() == 4 + 2 * 4);  // with the camera, the sun and the ground
   const auto& view = written["bufferViews"][written["images"][0]["bufferView"].get<std::size_t>()];
   const auto offset = 28 + word(read_file(path), 12) + view.value("byteOffset", 0u);
   CHECK(read_file(path).substr(offset, view["byteLength"]) == read_file(folder / "a picture.png"));

@@ -1,5 +1,5 @@
 // Reads the .glb of a solution: its objects with what the program says of each, and what to draw for them.
-import { Box3, Euler, Quaternion, Vector3 } from 'three';
+import { Box3, Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { paintOf, shapeOf } from './looks.js';
 
@@ -33,19 +33,28 @@ function boxOf(parts) {
   return box;
 }
 
-/** Returns the degrees that a node is turned about the upward axis, 0 to 360. */
-function turnOf(node) {
-  const turn = new Euler().setFromQuaternion(node.getWorldQuaternion(new Quaternion()), 'YXZ').y;
+/** Returns the meshes of a node of instances, each at the place of one of them. */
+function partsOfInstance(meshes, index) {
+  return meshes.map((mesh) => {
+    const matrix = new Matrix4();
+    mesh.getMatrixAt(index, matrix);
+    return { geometry: mesh.geometry, material: mesh.material, matrix: matrix.premultiply(mesh.matrixWorld) };
+  });
+}
+
+/** Returns the degrees that what has this matrix is turned about the upward axis, 0 to 360. */
+function turnOf(matrix) {
+  const rotation = new Quaternion();
+  matrix.decompose(new Vector3(), rotation, new Vector3());
+  const turn = new Euler().setFromQuaternion(rotation, 'YXZ').y;
   return (Math.round(turn * 18000 / Math.PI) / 100 + 360) % 360;
 }
 
-function objectOf(node, path, index) {
-  const about = node.userData;
-  const parts = partsOf(node);
+function objectOf(about, name, parts, matrix, path, index) {
   const box = boxOf(parts);
   const object = {
     index,
-    name: about.name ?? node.name,
+    name,
     path,
     address: about.address,
     source: about.source ?? '',
@@ -57,7 +66,7 @@ function objectOf(node, path, index) {
     box,
     center: rounded(box.getCenter(new Vector3()).toArray()),
     size: rounded(box.getSize(new Vector3()).toArray()),
-    turn: turnOf(node),
+    turn: turnOf(matrix),
     shape: parts.map(({ geometry }) => shapeOf(geometry)).join('+'),
     paint: parts.map(({ material }) => paintOf(material)).join('+'),
   };
@@ -65,11 +74,23 @@ function objectOf(node, path, index) {
   return object;
 }
 
+/** Of instances the node holds what each would say by itself. */
+function collectInstances(node, path, objects) {
+  const meshes = [];
+  node.traverse((each) => each.isInstancedMesh && meshes.push(each));
+  JSON.parse(node.userData.instances).forEach((about, index) => {
+    const parts = partsOfInstance(meshes, index);
+    objects.push(objectOf(about, about.name, parts, parts[0].matrix, path, objects.length));
+  });
+}
+
 function collect(node, path, objects) {
   if (typeof node.userData.address === 'string') {
-    objects.push(objectOf(node, path, objects.length));
+    const { userData: about, matrixWorld } = node;
+    objects.push(objectOf(about, about.name ?? node.name, partsOf(node), matrixWorld, path, objects.length));
     return;
   }
+  if (typeof node.userData.instances === 'string') return collectInstances(node, path, objects);
   const within = [...path, node.userData.name ?? node.name];
   for (const child of node.children) collect(child, within, objects);
 }

@@ -77,10 +77,15 @@ std::optional<GltfValue> to_value(const json& source) {
   }
 }
 
-GltfValue from_json_text(const PlacedThing& thing, const std::string& name, const std::string& text) {
-  const json parsed = json::parse(text, nullptr, false);
+json parsed_extra(const PlacedThing& thing, const std::string& name, const std::string& text) {
+  json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded())
     throw SceneError(fmt::format("{}: the value of {} is no JSON", thing.source, name));
+  return parsed;
+}
+
+GltfValue from_json_text(const PlacedThing& thing, const std::string& name, const std::string& text) {
+  const json parsed = parsed_extra(thing, name, text);
   auto value = to_value(parsed);
   return value ? std::move(*value) : GltfValue(parsed.dump());
 }
@@ -100,18 +105,43 @@ GltfValue choices_value(const std::vector<DecidingChoice>& choices) {
   return GltfValue(std::move(list));
 }
 
+/// Calls add(key, name, text) for each of the program's further arguments; "address" and the like stay ours.
+template <typename Taken, typename Add>
+void for_each_extra(const PlacedThing& thing, const Taken& is_taken, const Add& add) {
+  for (const auto& [name, text] : thing.extras) {
+    std::string key = clean_text(name.substr(0, kLongestKey - 1));  // with room for the "_"
+    while (is_taken(key)) key += "_";
+    add(key, name, text);
+  }
+}
+
 }  // namespace
+
+std::string facts_text(const PlacedThing& thing, const std::string& name) {
+  json facts{{"name", name}, {"address", clean_text(thing.address)}, {"source", clean_text(thing.source)}};
+  for (const auto& [address, value] : thing.choices) {
+    json choice{{"at", clean_text(address)}};
+    std::visit([&](const auto& each) { choice["value"] = each; }, value);
+    facts["choices"].push_back(std::move(choice));
+  }
+  for_each_extra(
+      thing, [&](const std::string& key) { return facts.contains(key); },
+      [&](const std::string& key, const std::string& extra, const std::string& text) {
+        facts[key] = parsed_extra(thing, extra, text);
+      });
+  return facts.dump();
+}
 
 GltfValue make_extras(const PlacedThing& thing) {
   GltfValue::Object extras;
   extras["address"] = GltfValue(clean_text(thing.address));
   extras["source"] = GltfValue(clean_text(thing.source));
   if (!thing.choices.empty()) extras["choices"] = choices_value(thing.choices);
-  for (const auto& [name, text] : thing.extras) {
-    std::string key = clean_text(name.substr(0, kLongestKey - 1));  // with room for the "_"
-    while (extras.contains(key)) key += "_";  // "address", "source" and "choices" stay ours
-    extras.emplace(key, from_json_text(thing, name, text));
-  }
+  for_each_extra(
+      thing, [&](const std::string& key) { return extras.contains(key); },
+      [&](const std::string& key, const std::string& name, const std::string& text) {
+        extras.emplace(key, from_json_text(thing, name, text));
+      });
   return GltfValue(std::move(extras));
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <tiny_gltf.h>
 
 #include "scene/placed_thing.h"
@@ -10,5 +11,8 @@ namespace solitaire {
 /// properties cannot hold (numbers beyond 32 bits, lists of strings, keys beyond 63 bytes): such values are
 /// written as their JSON text.
 tinygltf::Value make_extras(const PlacedThing& thing);
+
+/// Returns the same and the name of the thing as the JSON text of an object, in which nothing has to be text.
+std::string facts_text(const PlacedThing& thing, const std::string& name);
 
 }  // namespace solitaire

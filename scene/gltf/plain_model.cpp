@@ -13,13 +13,13 @@
 
 #include "scene/error.h"
 #include "scene/gltf/accessor_view.h"
+#include "scene/gltf/extension_names.h"
 
 namespace solitaire {
 namespace {
 
 constexpr std::size_t kLargestAccessor = std::size_t{1} << 30;  // bytes
 constexpr std::size_t kMostInstances = 100'000;
-constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
 bool exists(const tinygltf::Model& model, int accessor) {
   return accessor >= 0 && static_cast<std::size_t>(accessor) < model.accessors.size();

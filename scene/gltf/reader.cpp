@@ -90,10 +90,12 @@ void write_word(std::vector<unsigned char>& bytes, std::size_t at, std::size_t v
 /// Returns the .glb with other JSON.
 std::vector<unsigned char> with_json(const std::vector<unsigned char>& glb, std::string text) {
   text.resize((text.size() + 3) / 4 * 4, ' ');
-  const auto rest = glb.begin() + static_cast<std::ptrdiff_t>(kHeaderBytes + json_bytes(glb));
-  std::vector<unsigned char> made(glb.begin(), glb.begin() + kHeaderBytes);
-  made.insert(made.end(), text.begin(), text.end());
-  made.insert(made.end(), rest, glb.end());
+  const std::size_t rest = kHeaderBytes + json_bytes(glb);
+  std::vector<unsigned char> made(kHeaderBytes + text.size() + glb.size() - rest);
+  std::copy_n(glb.begin(), kHeaderBytes, made.begin());
+  std::copy(text.begin(), text.end(), made.begin() + kHeaderBytes);
+  std::copy_n(glb.end() - static_cast<std::ptrdiff_t>(glb.size() - rest), glb.size() - rest,
+              made.end() - static_cast<std::ptrdiff_t>(glb.size() - rest));
   write_word(made, 8, made.size());
   write_word(made, 12, text.size());
   return made;
@@ -133,20 +135,33 @@ tinygltf::Model parse(const std::vector<unsigned char>& bytes, const fs::path& f
     good = reader.LoadASCIIFromString(&model, &error, &warning, text, size, folder.string());
   }
   if (!good) throw SceneError(error.empty() ? "it is no glTF file" : beginning(error));
-  make_plain(model);
-  check_model(model);
   return model;
+}
+
+/// Returns what read() makes of the file, with an error that names it.
+template <typename Read>
+tinygltf::Model checked(const fs::path& file, const Read& read) {
+  try {
+    tinygltf::Model model = read(fs::absolute(file).parent_path());
+    check_model(model);
+    return model;
+  } catch (const std::exception& reason) {  // tinygltf lets some of the standard library's through
+    throw SceneError(fmt::format("cannot read {}: {}", file.string(), reason.what()));
+  }
 }
 
 }  // namespace
 
 tinygltf::Model read_gltf(const fs::path& file) {
-  try {
-    const fs::path folder = fs::absolute(file).parent_path();
-    return parse(prepared(read_bytes(file), folder), folder);
-  } catch (const std::exception& reason) {  // tinygltf lets some of the standard library's through
-    throw SceneError(fmt::format("cannot read {}: {}", file.string(), reason.what()));
-  }
+  return checked(file, [&](const fs::path& folder) {
+    tinygltf::Model model = parse(prepared(read_bytes(file), folder), folder);
+    make_plain(model);
+    return model;
+  });
+}
+
+tinygltf::Model read_written_gltf(const fs::path& file) {
+  return checked(file, [&](const fs::path& folder) { return parse(read_bytes(file), folder); });
 }
 
 }  // namespace solitaire

@@ -9,4 +9,8 @@ namespace solitaire {
 /// SceneError.
 tinygltf::Model read_gltf(const std::filesystem::path& file);
 
+/// Reads a .glb as it is that write_glb may have written: its JSON is taken as it stands, and instances stay.
+/// Throws as read_gltf does.
+tinygltf::Model read_written_gltf(const std::filesystem::path& file);
+
 }  // namespace solitaire

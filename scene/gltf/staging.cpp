@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/gltf/mesh_builder.h"
 #include "scene/sun.h"
 
 namespace solitaire {
@@ -70,15 +71,49 @@ tinygltf::Node sun_node(tinygltf::Model& model) {
   return node;
 }
 
+/// Returns a plain ground, a little below what stands lowest, that reaches past the scene by half its width.
+tinygltf::Node ground_node(tinygltf::Model& model, const Scene& scene) {
+  Box3 all;
+  for (const SceneObject& object : scene.objects) {
+    const Box3 box = bounds(object.box);
+    all.include(box.low);
+    all.include(box.high);
+  }
+  const Vec3 size = all.size();
+  const double margin = std::max(size[0], size[1]) / 2;
+  const double height = all.low[2] - 2e-4 * std::hypot(size[0], size[1], size[2]);
+  const double left = all.low[0] - margin, right = all.high[0] + margin, front = margin - all.low[1],
+               back = -all.high[1] - margin;
+  MeshBuilder builder;
+  builder.face({{left, height, front}, {right, height, front}, {right, height, back}, {left, height, back}});
+  tinygltf::Material material;
+  material.name = "ground";
+  material.pbrMetallicRoughness.baseColorFactor = {0.62, 0.61, 0.58, 1};
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  tinygltf::Mesh mesh;
+  mesh.name = "ground";
+  mesh.primitives.push_back(builder.write(model));
+  mesh.primitives.back().material = static_cast<int>(model.materials.size());
+  model.materials.push_back(std::move(material));
+  tinygltf::Node node;
+  node.mesh = static_cast<int>(model.meshes.size());
+  node.extras = tinygltf::Value(tinygltf::Value::Object{{"role", tinygltf::Value(std::string("ground"))}});
+  model.meshes.push_back(std::move(mesh));
+  return node;
+}
+
+void stand(tinygltf::Model& model, tinygltf::Scene& shown, tinygltf::Node node, const std::string& name) {
+  node.name = name;
+  shown.nodes.push_back(static_cast<int>(model.nodes.size()));
+  model.nodes.push_back(std::move(node));
+}
+
 }  // namespace
 
-void add_camera_and_sun(tinygltf::Model& model, tinygltf::Scene& shown, const Scene& scene,
-                        UniqueNames& names) {
-  for (tinygltf::Node node : {camera_node(model, scene), sun_node(model)}) {
-    node.name = names.take(node.camera == 0 ? "camera" : "sun");
-    shown.nodes.push_back(static_cast<int>(model.nodes.size()));
-    model.nodes.push_back(std::move(node));
-  }
+void add_stage(tinygltf::Model& model, tinygltf::Scene& shown, const Scene& scene, UniqueNames& names) {
+  stand(model, shown, camera_node(model, scene), names.take("camera"));
+  stand(model, shown, sun_node(model), names.take("sun"));
+  if (!scene.objects.empty()) stand(model, shown, ground_node(model, scene), names.take("ground"));
   model.cameras.back().name = "camera";
   model.lights.back().name = "sun";
 }

@@ -6,9 +6,8 @@
 
 namespace solitaire {
 
-/// Adds a camera that holds the whole scene, and a sun (KHR_lights_punctual), as nodes beside the scene's
-/// root. Viewers without a light of their own would show nothing.
-void add_camera_and_sun(tinygltf::Model& model, tinygltf::Scene& shown, const Scene& scene,
-                        UniqueNames& names);
+/// Adds a camera that holds the whole scene, a sun (KHR_lights_punctual) and a ground, as nodes beside the
+/// scene's root. Viewers without a light of their own would show nothing.
+void add_stage(tinygltf::Model& model, tinygltf::Scene& shown, const Scene& scene, UniqueNames& names);
 
 }  // namespace solitaire

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tiny_gltf.h>
 #include <unordered_set>
@@ -17,14 +18,17 @@
 namespace solitaire {
 namespace {
 
+bool shares_mesh(const SceneObject& object) { return object.openings.empty() && object.outline.empty(); }
+
 class Verifier {
  public:
-  Verifier(const tinygltf::Model& model, const Scene& scene) : model_(model), scene_(scene) {}
+  Verifier(const tinygltf::Model& model, const Scene& scene, Nodes nodes)
+      : model_(model), scene_(scene), nodes_(nodes) {}
 
   void verify() {
     check_names();
     const auto roots = root_nodes(model_);
-    require(roots.size() == 3, "its root", scene_.title);
+    require(roots.size() == (scene_.objects.empty() ? 3 : 4), "its root", scene_.title);
     require(node(roots[1]).camera == 0 && model_.cameras.size() == 1, "the camera", scene_.title);
     require(node(roots[2]).extensions.contains("KHR_lights_punctual"), "the sun", scene_.title);
     check_node(roots.front(), scene_.nodes.front());
@@ -45,9 +49,29 @@ class Verifier {
   void check_node(int index, const SceneNode& expected) {
     require(node(index).name == expected.name, "the name", expected.name);
     if (expected.object) return check_object(index, scene_.objects[*expected.object], expected.name);
-    require(node(index).children.size() == expected.children.size(), "the number of children", expected.name);
-    for (std::size_t i = 0; i < expected.children.size(); ++i) {
-      check_node(node(index).children[i], scene_.nodes[expected.children[i]]);
+    const auto parts = parts_of(scene_, expected, nodes_);
+    require(node(index).children.size() == parts.size(), "the number of children", expected.name);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const int child = node(index).children[i];
+      if (parts[i].size() == 1) {
+        check_node(child, scene_.nodes[parts[i].front()]);
+      } else {
+        check_instances(child, parts[i]);
+      }
+    }
+  }
+
+  void check_instances(int index, const std::vector<std::size_t>& instances) {
+    const std::string& name = node(index).name;
+    const std::vector<Transform> transforms = instance_transforms(model_, node(index));
+    const auto facts = nlohmann::json::parse(node(index).extras.Get("instances").Get<std::string>());
+    require(transforms.size() == instances.size() && facts.size() == instances.size(), "the number", name);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      const SceneNode& expected = scene_.nodes[instances[i]];
+      const SceneObject& object = scene_.objects[*expected.object];
+      require(facts[i]["name"] == expected.name, "the name of an instance", name);
+      require(facts[i]["address"] == clean_text(object.thing.address), "the address", expected.name);
+      check_box(to_affine(transforms[i]), check_sharing(index, object, name).box, object, expected.name);
     }
   }
 
@@ -56,14 +80,15 @@ class Verifier {
     const bool has_address = extras.Has("address") && extras.Get("address").IsString();
     require(has_address && extras.Get("address").Get<std::string>() == clean_text(object.thing.address),
             "the address", name);
-    check_box(index, check_sharing(index, object, name).box, object, name);
+    check_box(local_transform(node(index)), check_sharing(index, object, name).box, object, name);
   }
 
   /// What decides which meshes an object has.
   struct Look {
     const Asset* asset;
     std::string paint;
-    const SceneObject* itself;  // of a wall with openings, which shares its mesh with nothing
+    const SceneObject* itself;  // of a wall with openings and of what stands on an outline, which share their
+                                // mesh with nothing
 
     auto operator<=>(const Look&) const = default;
   };
@@ -75,7 +100,7 @@ class Verifier {
 
   const Meshes& check_sharing(int index, const SceneObject& object, const std::string& name) {
     const auto [place, is_new] = looks_.try_emplace(Look{
-        object.asset, object.paint ? object.paint->text() : "", object.openings.empty() ? nullptr : &object});
+        object.asset, object.paint ? object.paint->text() : "", shares_mesh(object) ? nullptr : &object});
     Meshes& known = place->second;
     Meshes found;
     collect(index, found.indices);
@@ -103,12 +128,13 @@ class Verifier {
   }
 
   /// Compares in the frame of the placed box, whose base is centred at the origin and not turned.
-  void check_box(int index, const Box3& meshes, const SceneObject& object, const std::string& name) const {
+  void check_box(const Affine& placed, const Box3& meshes, const SceneObject& object,
+                 const std::string& name) const {
     const PlacedBox& box = object.box;
     const Affine unturn = to_affine({{}, reversed(orientation(box)), {1, 1, 1}});
     const Affine uncenter =
         to_affine({{-box.center[0], -box.center[2], box.center[1]}, {0, 0, 0, 1}, {1, 1, 1}});
-    const Box3 found = transformed(unturn * uncenter * local_transform(node(index)), meshes);
+    const Box3 found = transformed(unturn * uncenter * placed, meshes);
     const Box3 wanted{{-box.size[0] / 2, 0, -box.size[1] / 2},
                       {box.size[0] / 2, box.size[2], box.size[1] / 2}};
     for (int axis = 0; axis < 3; ++axis) {
@@ -123,14 +149,15 @@ class Verifier {
 
   const tinygltf::Model& model_;
   const Scene& scene_;
+  Nodes nodes_;
   std::map<Look, Meshes> looks_;
 };
 
 }  // namespace
 
-void verify_glb(const std::filesystem::path& file, const Scene& scene) {
-  const tinygltf::Model model = read_gltf(file);
-  Verifier(model, scene).verify();
+void verify_glb(const std::filesystem::path& file, const Scene& scene, Nodes nodes) {
+  const tinygltf::Model model = read_written_gltf(file);
+  Verifier(model, scene, nodes).verify();
 }
 
 }  // namespace solitaire

@@ -43,7 +43,7 @@ void set_transform(tinygltf::Node& node, const Transform& transform) {
 
 class ModelBuilder {
  public:
-  explicit ModelBuilder(const Scene& scene) : scene_(scene) {
+  ModelBuilder(const Scene& scene, Nodes nodes) : scene_(scene), nodes_(nodes) {
     for (const SceneNode& node : scene.nodes) names_.take(node.name);  // before any node within an asset
   }
 
@@ -54,7 +54,7 @@ class ModelBuilder {
     tinygltf::Scene shown;
     shown.name = scene_.nodes.front().name;
     shown.nodes.push_back(add(scene_.nodes.front()));
-    add_camera_and_sun(model_, shown, scene_, names_);
+    add_stage(model_, shown, scene_, names_);
     model_.scenes.push_back(std::move(shown));
     model_.defaultScene = 0;
     if (model_.buffers.front().data.empty()) model_.buffers.clear();
@@ -67,11 +67,21 @@ class ModelBuilder {
     node.name = source.name;
     if (source.object) fill(node, scene_.objects[*source.object]);
     const int index = append(std::move(node));
-    for (const std::size_t child : source.children) {
-      const int child_index = add(scene_.nodes[child]);
+    for (const std::vector<std::size_t>& part : parts_of(scene_, source, nodes_)) {
+      const int child_index = part.size() == 1 ? add(scene_.nodes[part.front()]) : add_instances(part);
       model_.nodes[static_cast<std::size_t>(index)].children.push_back(child_index);
     }
     return index;
+  }
+
+  int add_instances(const std::vector<std::size_t>& instances) {
+    const SceneObject& first = scene_.objects[*scene_.nodes[instances.front()].object];
+    tinygltf::Node node;
+    fill(node, first);
+    node.translation.clear(), node.rotation.clear(), node.scale.clear();
+    node.name = names_.take(plain_name(first) + " instances");
+    make_instances(model_, node, scene_, instances);
+    return append(std::move(node));
   }
 
   void fill(tinygltf::Node& node, const SceneObject& object) {
@@ -79,6 +89,8 @@ class ModelBuilder {
     node.extras = make_extras(object.thing);
     if (!object.openings.empty()) {
       node.mesh = wall_with_openings(object, node.name);
+    } else if (!object.outline.empty()) {
+      node.mesh = body_over_outline(object, node.name);
     } else if (!object.asset) {
       node.mesh = boxes_.mesh(*object.paint);
     } else if (const AssetModel& model = *object.asset->model; model.is_single_mesh()) {
@@ -94,11 +106,22 @@ class ModelBuilder {
     MeshBuilder builder;
     for (const Box3& part : solid_parts(object.asset ? object.asset->box : unit_box(), object.openings))
       builder.add_box(part);
+    return append(
+        builder, name,
+        object.asset ? copier(*object.asset).primary_material(object.paint) : boxes_.material(*object.paint));
+  }
+
+  int body_over_outline(const SceneObject& object, const std::string& name) {
+    MeshBuilder builder;
+    for (const std::vector<Vec3>& face : faces_over(object.outline)) builder.face(face);
+    return append(builder, name, boxes_.material(*object.paint));
+  }
+
+  int append(const MeshBuilder& builder, const std::string& name, int material) {
     tinygltf::Mesh mesh;
     mesh.name = name;
     mesh.primitives.push_back(builder.write(model_));
-    mesh.primitives.back().material =
-        object.asset ? copier(*object.asset).primary_material(object.paint) : boxes_.material(*object.paint);
+    mesh.primitives.back().material = material;
     model_.meshes.push_back(std::move(mesh));
     return static_cast<int>(model_.meshes.size()) - 1;
   }
@@ -136,6 +159,7 @@ class ModelBuilder {
   }
 
   const Scene& scene_;
+  Nodes nodes_;
   tinygltf::Model model_;
   UniqueNames names_;
   BoxMeshes boxes_{model_};
@@ -144,8 +168,8 @@ class ModelBuilder {
 
 }  // namespace
 
-std::string glb_bytes(const Scene& scene) {
-  tinygltf::Model model = ModelBuilder(scene).build();
+std::string glb_bytes(const Scene& scene, Nodes nodes) {
+  tinygltf::Model model = ModelBuilder(scene, nodes).build();
   std::ostringstream stream;
   tinygltf::TinyGLTF writer;
   if (!writer.WriteGltfSceneToStream(&model, stream, /*prettyPrint=*/false, /*writeBinary=*/true) ||
@@ -157,11 +181,11 @@ std::string glb_bytes(const Scene& scene) {
   return bytes;
 }
 
-std::string write_glb(const Scene& scene, const std::filesystem::path& path) {
+std::string write_glb(const Scene& scene, const std::filesystem::path& path, Nodes nodes) {
   try {
-    std::string bytes = glb_bytes(scene);
+    std::string bytes = glb_bytes(scene, nodes);
     write_file_atomically(path, bytes,
-                          [&](const std::filesystem::path& written) { verify_glb(written, scene); });
+                          [&](const std::filesystem::path& written) { verify_glb(written, scene, nodes); });
     return bytes;
   } catch (const SceneError& error) {
     const std::string_view reason = error.what();

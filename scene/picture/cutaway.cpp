@@ -16,7 +16,7 @@ constexpr double kAtWall = 0.15;       // metres between a wall and what stands 
 constexpr double kLowestWall = 1.0;    // metres; what is lower hides little
 constexpr double kThickestWall = 0.6;  // metres, of plain boxes
 constexpr double kOverlap = 0.25;      // metres of a thing that a wall may hide or stand on
-constexpr std::size_t kMostComparisons = 20'000'000;
+constexpr std::size_t kMostWallPairs = 20'000'000;
 
 bool says(const SceneObject& object, std::string_view word) {
   return has_word(object.thing.asset, word) || has_word(object.thing.name, word);
@@ -86,7 +86,7 @@ class Cutaway {
 
   std::vector<std::optional<double>> heights() {
     std::vector<std::optional<double>> heights(scene_.objects.size());
-    if (to_camera_[1] <= 0 || walls_.size() * scene_.objects.size() > kMostComparisons) return heights;
+    if (to_camera_[1] <= 0 || walls_.size() * scene_.objects.size() > kMostWallPairs) return heights;
     sort_others();
     for (const Wall& wall : walls_) {
       if (!hides_something(wall.box)) continue;

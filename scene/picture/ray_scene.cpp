@@ -76,6 +76,7 @@ void RayScene::add(TracedShapes& shapes, const SceneObject& object, std::optiona
   const std::vector<Box3> parts = solid_parts(object.asset ? object.asset->box : unit_box(), object.openings);
   const TracedShape* shape = &shapes.of(object.asset);
   if (!object.openings.empty()) shape = &own(shapes.prepare(blocks(parts, shape->shape.finishes.front())));
+  if (!object.outline.empty()) shape = &own(shapes.prepare(body_over(object.outline)));
   shape = &with_clearness(shapes, *shape, object.paint);
   if (!cut) return attach(shapes.device(), *shape, map, object.paint);
   const bool is_solid = is_like_wall(object);  // one looks into anything else where it is cut

@@ -56,6 +56,12 @@ std::vector<std::uint32_t> corners_of(const AssetModel& model, const tinygltf::P
   return corners;
 }
 
+Finish box_finish() {
+  Finish finish;
+  finish.roughness = 0.8F;
+  return finish;
+}
+
 /// Collects what the meshes of an asset consist of.
 class ShapeBuilder {
  public:
@@ -174,10 +180,19 @@ Shape shape_of(const Asset& asset) {
   return builder.take();
 }
 
-Shape box_shape() {
-  Finish finish;
-  finish.roughness = 0.8F;
-  return blocks({unit_box()}, finish);
+Shape box_shape() { return blocks({unit_box()}, box_finish()); }
+
+Shape body_over(const Outline& outline) {
+  Shape shape = blocks({}, box_finish());
+  for (const std::vector<Vec3>& face : faces_over(outline)) {
+    std::vector<Corner> corners;
+    for (const Vec3& point : face) corners.push_back({to_vector(point), {}});
+    const Vector normal =
+        normalized(cross(corners[1].point - corners[0].point, corners[2].point - corners[0].point));
+    for (Corner& corner : corners) corner.normal = normal;
+    add_polygon(shape, corners, 0);
+  }
+  return shape;
 }
 
 Shape blocks(const std::vector<Box3>& boxes, const Finish& finish) {

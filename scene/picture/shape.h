@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/assets.h"
+#include "scene/outline.h"
 #include "scene/picture/vector.h"
 
 namespace solitaire {
@@ -37,6 +38,9 @@ Shape shape_of(const Asset& asset);
 
 /// Returns the unit box, which stands on the ground around the origin.
 Shape box_shape();
+
+/// Returns the body that stands on an outline and fills the unit box, in the finish of boxes.
+Shape body_over(const Outline& outline);
 
 /// Returns blocks of one finish, which is the primary one.
 Shape blocks(const std::vector<Box3>& boxes, const Finish& finish);

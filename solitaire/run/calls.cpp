@@ -13,7 +13,7 @@ constexpr std::pair<std::string_view, std::string_view> kForeignParameters[] = {
     {"rotation", "turn"}, {"rotate", "turn"}, {"orientation", "turn"}, {"degrees", "angle"},
     {"width", "size"},    {"depth", "size"},  {"height", "size"},      {"dimensions", "size"},
     {"position", "at"},   {"pos", "at"},      {"location", "at"},      {"translation", "at"},
-    {"model", "asset"},   {"label", "name"},
+    {"model", "asset"},
 };
 
 /// The parameter that a further name was probably meant to be; "" if it is a name of its own. Only what is a

@@ -30,8 +30,10 @@ class SOLITAIRE_API OutputFolder {
  public:
   /// Makes the folder if need be. With `timings`, files say how long things took, and then differ from run to
   /// run. With `pictures`, each scene is drawn in that size, on as many threads as the search has jobs.
+  /// With `instancing`, things that look alike share a node of the .glb.
   OutputFolder(const std::filesystem::path& folder, const Program& program, const SearchOptions& options,
-               bool timings = false, const std::optional<PictureSize>& pictures = std::nullopt);
+               bool timings = false, const std::optional<PictureSize>& pictures = std::nullopt,
+               bool instancing = false);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

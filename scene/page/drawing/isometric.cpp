@@ -28,26 +28,27 @@ Point projected(const Vec3& point) {
 /// An upright block in space.
 struct Block {
   NamedObject named;
-  std::array<Point, 4> corners;  // of its ground, counter-clockwise seen from above
+  std::vector<Point> corners;  // of its ground, counter-clockwise seen from above
   Box3 box;
   bool is_cut = false;
   Area seen;  // where it is seen, in metres
 };
 
-std::array<Point, 4> corners_of(const PlacedBox& box) {
+std::vector<Point> corners_of(const SceneObject& object) {
+  const PlacedBox& box = object.box;
   const double angle = box.angle * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
-  std::array<Point, 4> corners;
-  constexpr std::array<std::array<double, 2>, 4> kSigns{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double x = kSigns[i][0] * box.size[0] / 2, y = kSigns[i][1] * box.size[1] / 2;
-    corners[i] = {box.center[0] + c * x - s * y, box.center[1] + s * x + c * y};
+  std::vector<Point> corners;
+  const Outline square{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+  for (const auto& [across, along] : object.outline.empty() ? square : object.outline) {
+    const double x = across * box.size[0], y = along * box.size[1];
+    corners.push_back({box.center[0] + c * x - s * y, box.center[1] + s * x + c * y});
   }
   return corners;
 }
 
 Block block_of(const NamedObject& named, const std::optional<double>& cut) {
   const PlacedBox& placed = named.object->box;
-  Block block{named, corners_of(placed), bounds(placed), false, {}};
+  Block block{named, corners_of(*named.object), bounds(placed), false, {}};
   if (cut && *cut < block.box.high[2]) {
     block.box.high[2] = std::max(*cut, block.box.low[2]);
     block.is_cut = true;
@@ -122,8 +123,8 @@ std::string drawing_of(const Block& block, const Paper& paper) {
   const double low = block.box.low[2], high = block.box.high[2];
   std::string drawing;
   std::vector<Vec3> top;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Point &from = block.corners[i], &to = block.corners[(i + 1) % 4];
+  for (std::size_t i = 0; i < block.corners.size(); ++i) {
+    const Point &from = block.corners[i], &to = block.corners[(i + 1) % block.corners.size()];
     top.push_back({from.x, from.y, high});
     const double x = to.y - from.y, y = from.x - to.x, length = std::hypot(x, y);  // the outward direction
     if (length == 0 || x - y <= 1e-9) continue;
@@ -146,7 +147,7 @@ bool is_on(const std::array<Point, 4>& shape, const Point& point) {
 
 /// Returns where a name fits onto the top, in its middle; nothing on tops that are too narrow.
 Area room_on_top(const Block& block, const Paper& paper) {
-  if (block.is_cut) return {};
+  if (block.is_cut || !block.named.object->outline.empty()) return {};
   std::array<Point, 4> top;
   Area around;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -16,7 +16,7 @@ constexpr double kLargestName = 12;
 /// Returns the name of a shape, or "" where there is no room for it. `later` are the shapes drawn after it.
 std::string name_of(const LabelledShape& shape, std::span<const LabelledShape> later) {
   if (shape.label.width() <= 0) return "";
-  const std::string name = plain_name(*shape.named.object);
+  const std::string name = text_on(*shape.named.object);
   const double size = std::min({0.92 * shape.label.width() / std::max(text_width(name), 0.1),
                                 0.8 * shape.label.height(), kLargestName});
   if (name.empty() || size < kSmallestName) return "";

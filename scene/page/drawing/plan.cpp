@@ -38,7 +38,7 @@ class ObjectDrawing {
   ObjectDrawing(const NamedObject& named, const Paper& paper)
       : object_(*named.object),
         unique_name_(*named.name),
-        name_(plain_name(object_)),
+        name_(text_on(object_)),
         height_(length_text(object_.box.size[2])),
         center_(paper.place(Point{object_.box.center[0], object_.box.center[1]})),
         width_(object_.box.size[0] * paper.scale()),
@@ -49,7 +49,7 @@ class ObjectDrawing {
   /// Returns the drawing. What lies `above` is drawn later and would hide a label below it.
   std::string svg(std::span<const Area> above) const {
     return thing_element(object_, unique_name_,
-                         fmt::format("<g{}>{}{}</g>{}", moved(center_, object_.box.angle), rectangle(),
+                         fmt::format("<g{}>{}{}</g>{}", moved(center_, object_.box.angle), ground(),
                                      front_mark(), label(above)));
   }
 
@@ -74,6 +74,16 @@ class ObjectDrawing {
     const std::string place = fmt::format("translate({} {})", number(to.x), number(to.y));
     return turn == 0 ? fmt::format(" transform=\"{}\"", place)
                      : fmt::format(" transform=\"{} rotate({})\"", place, turn);
+  }
+
+  std::string ground() const { return object_.outline.empty() ? rectangle() : polygon(); }
+
+  std::string polygon() const {
+    std::string points;
+    for (const auto& [x, y] : object_.outline)
+      points += fmt::format("{}{},{}", points.empty() ? "" : " ", number(x * width_), number(-y * depth_));
+    return fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"/>", points, hex(object_.color),
+                       hex(edge_of(object_.color)));
   }
 
   std::string rectangle() const {
