@@ -94,7 +94,7 @@ void burn_in(Report& report) {
 void single_sites(Report& report) {
   report.figure("figure 11: single-site sampling against BlockSS",
                 "BlockSS 90 times as fast at 100 tiles, 7000 at 900; 1600 tiles: 2 min against never");
-  const auto style = style_named(kFacade);
+  const auto style = style_named(kStoreys);
   bool holds = true;
   for (const int side : {10, 20, 30}) {
     const Problem problem = facade(style, side, side);
@@ -112,7 +112,7 @@ void single_sites(Report& report) {
 
 void sizes_of_blocks(Report& report) {
   report.figure("figure 12: larger blocks are faster", "yes");
-  const auto style = style_named(kFacade);
+  const auto style = style_named(kStoreys);
   std::vector<double> seconds;
   std::string text;
   for (int blocks = 1; blocks <= 6; ++blocks) {
@@ -145,7 +145,7 @@ void growing_cities(Report& report) {
 
 void growing_facades(Report& report) {
   report.figure("figure 13, right: facades get harder faster than they grow", "yes");
-  const auto style = style_named(kFacade);
+  const auto style = style_named(kStoreys);
   std::vector<double> seconds;
   std::string text;
   for (const int side : {10, 20, 30, 40}) {

@@ -6,10 +6,11 @@
 
 namespace solitaire::tiles::bench {
 
-/// The exemplars, in the folder of the sources. The facade is plainer than that of the examples.
-/// The piers between its windows are another tile than its walls, so that a storey runs through the whole
-/// house.
+/// The exemplars, in the folder of the sources. The facades are plainer than that of the examples. In the
+/// second one the piers between windows are another tile than walls, so that a storey runs through the whole
+/// house: it gets harder as it grows.
 inline constexpr const char* kFacade = "bench/tiles/facade";
+inline constexpr const char* kStoreys = "bench/tiles/facade_storeys";
 inline constexpr const char* kSuburb = "examples/tiles/suburb";
 
 /// Reads one of them, without weights.
