@@ -1,5 +1,5 @@
-// node bench/page.mjs PROGRAM [SCRIPT]: how large the page of a run is, how soon it is painted, and how long a scene
-// takes to open, with 10, 100 and 1,000 solutions.
+// node bench/page.mjs PROGRAM [SCRIPT]: how large the page of a run is, how soon it is painted, how soon its end is
+// seen after a jump there, and how long a scene takes to open, with 10, 100 and 1,000 solutions.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -41,22 +41,31 @@ async function times(browser, address) {
     paint: performance.getEntriesByName('first-contentful-paint')[0].startTime,
     loaded: performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd,
   }));
+  const scrolls = await page.evaluate(async () => {
+    const start = performance.now(), frame = () => new Promise(requestAnimationFrame);
+    scrollTo(0, document.body.scrollHeight);
+    await frame();
+    await frame();
+    return performance.now() - start;
+  });
+  await page.evaluate(() => scrollTo(0, 0));
   const start = Date.now();
   await page.locator('article h2 a').first().click();
   await ready(page);
   await close();
-  return { paint, loaded, opens: Date.now() - start };
+  return { paint, loaded, scrolls, opens: Date.now() - start };
 }
 
 const browser = await launched();
 try {
-  console.log('solutions  index.html  page/ (MB)  .glb (MB)  first paint  interactive  a scene opens (ms)');
+  console.log('solutions  index.html  page/ (MB)  .glb (MB)  first paint  interactive  to the end  a scene opens (ms)');
   for (const count of [10, 100, 1000]) {
     const output = join(folder, String(count));
     execFileSync(program, ['generate', script, '-n', String(count), '-o', output, '--quiet']);
-    const { paint, loaded, opens } = await times(browser, pathToFileURL(join(output, 'index.html')).href);
+    const { paint, loaded, scrolls, opens } = await times(browser, pathToFileURL(join(output, 'index.html')).href);
     console.log([count, megabytes(statSync(join(output, 'index.html')).size), megabytes(sizeOf(join(output, 'page'))),
-                 megabytes(sizeOf(output, (name) => name.endsWith('.glb'))), paint.toFixed(0), loaded.toFixed(0), opens]
+                 megabytes(sizeOf(output, (name) => name.endsWith('.glb'))), paint.toFixed(0), loaded.toFixed(0),
+                 scrolls.toFixed(0), opens]
       .map((value) => String(value).padStart(11)).join(''));
   }
 } finally {

@@ -1,7 +1,7 @@
 // Draws objects in batches: all parts of one shape, paint and style are one draw call, so that ten thousand chairs are
 // as quick as one.
 import { Group, InstancedMesh } from 'three';
-import { Boxes } from './far.js';
+import { Boxes } from './boxes.js';
 import { isFar, layersFor } from './styles.js';
 
 class Batch {

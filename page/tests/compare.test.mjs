@@ -34,6 +34,8 @@ test('changes in words', () => {
   assert.deepEqual(changes(thing('p', { turn: 350 }), thing('p', { turn: 10 })), ['turned 20°']);
   assert.deepEqual(changes(thing('p'), thing('p', { size: [1, 2, 1], paint: 'blue' })), ['another size', 'another colour']);
   assert.deepEqual(changes(thing('p'), thing('p', { shape: 'chair', size: [2, 2, 2] })), ['another shape']);
+  assert.deepEqual(changes(thing('p', { name: 'coin (3)' }), thing('p', { name: 'air', paint: 'blue' })), ['now air', 'another colour']);
+  assert.deepEqual(changes(thing('p', { name: 'chair[0][3]' }), thing('p', { name: 'chair', turn: 90 })), ['turned 90°']);
 });
 
 test('choices that differ, and those that one solution does not meet', () => {

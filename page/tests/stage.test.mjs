@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Cutaway } from '../stage/cutaway.js';
+import { farObjects, hasManyTriangles } from '../stage/far.js';
 import { standingPlace } from '../stage/standing_place.js';
 
 function point(x, y, z) {
@@ -46,4 +47,18 @@ test('one stands in the open, near the front, and not in a thing', () => {
   assert.ok(z > 3 && x > 3);
   const boxed = standingPlace([box(-1, 0, -1, 7, 2, 7)], bounds, 1.6);
   assert.ok(Number.isFinite(boxed.x) && Number.isFinite(boxed.z));
+});
+
+test('far is what is seen as less than eight pixels', () => {
+  // A metre that is d metres away is 500 / d pixels high.
+  const camera = { position: point(0, 0, 0), fov: 90 };
+  const cube = (z) => ({ box: box(0, 0, -z - 1, 1, 1, -z) });  // its diagonal is 1.73 m
+  const near = cube(108), far = cube(109), around = { box: box(-1, -1, -1, 1, 1, 1) };
+  assert.deepEqual([...farObjects([near, far, around], camera, 1000)], [far]);
+});
+
+test('a scene of few triangles has nothing that is far', () => {
+  const chairs = (count) => Array(count).fill({ parts: [{ geometry: { index: { count: 552 }, attributes: {} } }] });
+  assert.equal(hasManyTriangles(chairs(1000)), false);
+  assert.equal(hasManyTriangles(chairs(10000)), true);
 });

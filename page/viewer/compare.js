@@ -17,7 +17,7 @@ function turnedBy(from, to) {
 
 /** Returns a name without the number that tells things of that name apart. */
 function kind(name) {
-  return name?.replace(/ \(\d+\)$/, '');
+  return name?.replace(/( \(\d+\)|\[\d+\])+$/, '');
 }
 
 /** Returns in words how one object became the other: "moved 1.50 m", "turned 90°". */
