@@ -10,7 +10,7 @@ from pathlib import Path
 
 import solitaire
 from comparing import KNOWN, REFUSALS, Limits, reason_of, reference_results, shown_choices
-from interpreter.values import plain
+from interpreter.values import is_number, plain, same
 
 SECONDS = 20
 STATUS_OF_MISTAKE, STATUS_OF_LIMIT = 3, 4
@@ -141,18 +141,33 @@ def far_apart(case):
 # ---- pins
 
 
+def pinned_value(execution, address):
+    """What a pin says to keep the value of a choice: an element, or its position where the list has no numbers."""
+    value, elements = execution.choices[address], execution.chosen_from.get(address)
+    if elements is None or (not is_plain(elements[value]) and not any(map(is_number, elements))):
+        return value
+    return elements[value] if is_plain(elements[value]) else None
+
+
+def is_plain(value):
+    return type(value) in (bool, int, float, str)
+
+
 def pinned(case):
     """One or two pins or forbidden values of a solution's choices."""
-    solutions = case.solutions()
+    solutions = case.results.solutions
+    if any(each.auxiliary for each in solutions):
+        return
     picked, options = case.random.choice(solutions), []
-    for address in case.random.sample(sorted(picked), min(len(picked), case.random.randint(1, 2))):
-        keep = case.random.random() < 0.7
-        options += ["--pin" if keep else "--forbid", f"{address}={json.dumps(picked[address])}"]
-        solutions = [
-            each for each in solutions if address not in each or (each[address] == picked[address]) is keep
-        ]
+    for address in case.random.sample(sorted(picked.choices), min(len(picked.choices), case.random.randint(1, 2))):
+        value, keep = pinned_value(picked, address), case.random.random() < 0.7
+        if value is None:
+            continue
+        options += ["--pin" if keep else "--forbid", f"{address}={json.dumps(value)}"]
+        solutions = [each for each in solutions
+                     if address not in each.choices or same(pinned_value(each, address), value) is keep]  # fmt: skip
     found = case.solve("--all", *options)
-    compare_choices(found, solutions, options)
+    compare_choices(found, [each.choices for each in solutions], options)
 
 
 def pinned_by_file(case):

@@ -30,13 +30,10 @@ def failure_of(solitaire, files, check, seed):
         script = write_files(files, folder)
         try:
             results = reference_results(script, (), LIMITS)
-        except TooMany:
-            return None
-        if results.errors or not results.solutions:
-            return None
-        try:
+            if results.errors or not results.solutions:
+                return None
             check(Case(solitaire, script, results, random.Random(seed)))
-        except NoAnswer:
+        except (TooMany, NoAnswer):
             return None
         except Wrong as wrong:
             return str(wrong)

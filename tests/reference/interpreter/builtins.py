@@ -65,7 +65,9 @@ def choose_element(run, call):
     elements = a_list(call)
     if "weights" in call.given and len(a_list(call, "weights")) != len(elements):
         raise ProgramError(call.place, "'choose' needs as many weights as the list has elements")
-    return elements[run.choose(call.address(), range(len(elements)))]
+    position = run.choose(call.address(), range(len(elements)))
+    run.chosen_from[call.address()] = elements
+    return elements[position]
 
 
 def choose_position(run, call):

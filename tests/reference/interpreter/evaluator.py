@@ -73,6 +73,7 @@ class Execution:
         self.value = None
         self.returned = None  # the value before the output
         self.choices = {}
+        self.chosen_from = {}  # of each choice of an element, the list
         self.printed = []
         self.unit = 1.0
         self.placed = []
