@@ -47,7 +47,9 @@ std::string summary_text(const Summary& summary, Ending ending, double seconds, 
   }
   text += ending_text(summary, ending, reason, options) + "\n";
   if (summary.solutions > 1) {
-    text += fmt::format("mean distance of choices {:.2f}, of results {:.2f}\n", summary.choice_distance,
+    const bool of_pairs = summary.solutions > 2 && summary.nearest_choices;
+    text += fmt::format("mean distance of choices {:.2f}{}, of results {:.2f}\n", summary.choice_distance,
+                        of_pairs ? fmt::format(" (nearest two {:.2f})", *summary.nearest_choices) : "",
                         summary.result_distance);
   }
   return text;

@@ -1,9 +1,11 @@
 #include "engines/distance.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "base/hash.h"
 #include "engines/distinct.h"
+#include "engines/tuning.h"
 
 namespace solitaire {
 namespace {
@@ -22,6 +24,18 @@ void add_values(Features& features, const std::string& name, const PlainValue& v
     return;
   }
   features.emplace(name, to_json(value));
+}
+
+/// Returns how many numbers two lists in rising order have in common.
+std::uint64_t in_both(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
+  std::uint64_t count = 0;
+  auto in_a = a.begin();
+  for (const std::uint64_t each : b) {
+    while (in_a != a.end() && *in_a < each) ++in_a;
+    if (in_a == a.end()) break;
+    if (*in_a == each) ++count;
+  }
+  return count;
 }
 
 }  // namespace
@@ -55,6 +69,26 @@ void MeanDistance::add(const Features& features) {
   }
   names_ += features.size();
   ++count_;
+}
+
+void NearestPair::add(const Features& features) {
+  if (gave_up_) return;
+  Hashed added;
+  for (const auto& [name, value] : features) {
+    added.names.push_back(std::hash<std::string>{}(name));
+    added.values.push_back(mix(added.names.back(), std::hash<std::string>{}(value)));
+  }
+  std::ranges::sort(added.names);
+  std::ranges::sort(added.values);
+  for (const Hashed& each : all_) {
+    const std::uint64_t named = in_both(each.names, added.names);
+    const Overlap overlap{in_both(each.values, added.values), each.names.size() + added.names.size() - named};
+    nearest_ = std::min(nearest_.value_or(1), overlap.distance());
+    compared_ += overlap.all;
+  }
+  all_.push_back(std::move(added));
+  gave_up_ = compared_ > tuning::kNamesCompared;
+  if (gave_up_) all_.clear();
 }
 
 }  // namespace solitaire

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "engines/solution.h"
 
@@ -67,6 +69,26 @@ class MeanDistance {
   std::uint64_t names_ = 0;  // the number of names of all sets together
   Overlap pairs_;            // summed over them
   std::unordered_map<std::uint64_t, std::uint64_t> with_name_, with_value_;
+};
+
+/// The distance of the two nearest out of a set. Every pair has to be compared, so that the time grows with
+/// the square of their number: after tuning::kNamesCompared names it is given up.
+class NearestPair {
+ public:
+  void add(const Features& features);
+  /// Returns the distance, or nothing for fewer than two, or where they were too many to compare.
+  std::optional<double> value() const { return gave_up_ ? std::nullopt : nearest_; }
+
+ private:
+  /// The names and the pairs of a name and its value, as hashes in rising order.
+  struct Hashed {
+    std::vector<std::uint64_t> names, values;
+  };
+
+  std::vector<Hashed> all_;
+  std::optional<double> nearest_;
+  std::uint64_t compared_ = 0;
+  bool gave_up_ = false;
 };
 
 /// Computes how much the solutions of a batch differ.

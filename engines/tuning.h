@@ -7,6 +7,11 @@
 // proof or a format fixes (such as CellSampler::kSlots) stands where it is used.
 namespace solitaire::tuning {
 
+// Distances (engines/distance.h).
+
+/// The distance of the nearest two out of a set is given up after comparing so many names: about a tenth of a second.
+constexpr std::uint64_t kNamesCompared = 20'000'000;
+
 // Exploration (engines/solve/explore.h).
 
 /// Branch sides that a pass of the beginning may open without being asked. Judgement: most programs are

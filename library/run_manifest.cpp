@@ -138,6 +138,7 @@ Json manifest_json(const SearchOptions& options, const Summary& summary, std::op
   if (summary.solutions > 1) {
     json["mean_distance"] = {{"choices", rounded(summary.choice_distance)},
                              {"results", rounded(summary.result_distance)}};
+    if (summary.nearest_choices) json["nearest_pair"] = {{"choices", rounded(*summary.nearest_choices)}};
   }
   return json;
 }

@@ -9,6 +9,7 @@ SearchAccount::Compared SearchAccount::compared(const solitaire::Solution& solut
 
 void SearchAccount::count(const Compared& compared) {
   choice_distance_.add(compared.choices);
+  nearest_choices_.add(compared.choices);
   result_distance_.add(compared.results);
   ++solutions_;
 }
@@ -60,6 +61,7 @@ Summary SearchAccount::summary(std::uint64_t alike, bool names_differed) const {
           alike,
           names_differed,
           choice_distance_.value(),
+          nearest_choices_.value(),
           result_distance_.value(),
           {times_.explore, times_.encode, times_.solve, times_.replay, times_.replays}};
 }

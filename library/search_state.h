@@ -34,6 +34,7 @@ class SearchAccount {
   mutable std::mutex mutex_;  // guards all members below
   std::uint64_t solutions_ = 0, earlier_ = 0;
   MeanDistance choice_distance_, result_distance_;
+  NearestPair nearest_choices_;
   EngineTimes times_;
   std::optional<std::pair<Solution, Compared>> best_;
 };

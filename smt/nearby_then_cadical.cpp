@@ -1,6 +1,8 @@
 #include "smt/nearby_then_cadical.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,6 +15,16 @@
 
 namespace solitaire {
 namespace {
+
+using Model = std::vector<std::optional<std::int64_t>>;  // the values of the choices, where they have any
+
+/// Returns true if two models differ in few choices. Choices that one of them lacks count as different.
+bool is_near(const Model& a, const Model& b) {
+  const std::size_t all = std::max(a.size(), b.size());
+  std::size_t differ = all - std::min(a.size(), b.size());
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) differ += a[i] != b[i] ? 1 : 0;
+  return static_cast<double>(differ) < tuning::kNearModels * static_cast<double>(all);
+}
 
 class NearbyThenCadical : public Solver, private ClauseSink {
  public:
@@ -30,9 +42,13 @@ class NearbyThenCadical : public Solver, private ClauseSink {
     const std::vector<int> assumed = clauses_.assume(assumptions);
     if (signal.stopped()) return Verdict::kStopped;
     if (has_suggestions_ && found_nearby(assumed, signal)) return Verdict::kSatisfiable;
+    const bool had_suggestions = has_suggestions_;
     const Verdict verdict = ask_cadical(assumed, signal);
-    if (verdict == Verdict::kSatisfiable)
-      model_ = clauses_.values([this](int variable) { return cadical_.holds(variable); });
+    if (verdict == Verdict::kSatisfiable) {
+      model_ = cadical_model();
+      if (had_suggestions) leave_last_models(assumed, signal);
+      remember(model_);
+    }
     if (verdict == Verdict::kUnsatisfiable) core_ = cadical_.core(assumptions, assumed);
     return verdict;
   }
@@ -81,6 +97,38 @@ class NearbyThenCadical : public Solver, private ClauseSink {
     return cadical_.solve(assumed, signal, conflicts_);
   }
 
+  /// Begins anew, from the same suggestions, as long as the model is one near those of before, and not too
+  /// often: a search that has to go its own way returns to where it ended before. Where all models are near
+  /// each other that is in vain, and is tried more and more rarely.
+  void leave_last_models(std::span<const int> assumed, const StopSignal& signal) {
+    if (conflicts_ > 0 || !is_near_earlier(model_)) return;
+    if (checks_to_skip_ > 0) {
+      --checks_to_skip_;
+      return;
+    }
+    for (unsigned i = 0; i < tuning::kNewBeginnings && is_near_earlier(model_); ++i) {
+      cadical_.start_anew(random_.next());
+      has_suggestions_ = true;
+      if (ask_cadical(assumed, signal) != Verdict::kSatisfiable) return;
+      model_ = cadical_model();
+    }
+    in_vain_ = is_near_earlier(model_) ? in_vain_ + 1 : 0;
+    checks_to_skip_ = (1U << std::min(in_vain_, 20U)) - 1;
+  }
+
+  bool is_near_earlier(const Model& model) const {
+    return std::ranges::any_of(last_models_, [&](const Model& earlier) { return is_near(model, earlier); });
+  }
+
+  void remember(const Model& model) {
+    last_models_.push_back(model);
+    if (last_models_.size() > tuning::kModelsToLeave) last_models_.pop_front();
+  }
+
+  Model cadical_model() const {
+    return clauses_.values([this](int variable) { return cadical_.holds(variable); });
+  }
+
   /// Adds random signs of some variables that stand for no choice, so that it is also left to chance which of
   /// several alternatives holds.
   std::vector<int> with_drawn_signs(std::vector<int> wanted) {
@@ -102,7 +150,10 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   NearbySearch nearby_;
   RandomStream random_;
   bool has_suggestions_ = false;  // there are suggestions that CaDiCaL has not followed yet
-  std::vector<std::optional<std::int64_t>> model_;
+  Model model_;
+  std::deque<Model> last_models_;  // that CaDiCaL found
+  unsigned in_vain_ = 0;           // so many times in a row no new beginning led away from earlier models
+  unsigned checks_to_skip_ = 0;
   std::vector<NodeId> core_;
   std::uint64_t conflicts_ = 0;  // CaDiCaL gives up after so many; 0: it does not
 };

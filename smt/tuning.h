@@ -53,6 +53,14 @@ inline constexpr Spread kFarApart{100, 100};
 /// values first, whatever it learns, can take forever where things stand close.
 inline constexpr std::uint64_t kConflictsNearSuggestions = 300;
 
+/// CaDiCaL begins anew where its model differs from one of its last in a smaller share of the choices; see
+/// "Random values" in docs/engine.md. With 0.3, tight rooms of two and three groups took half as long again
+/// and were no farther apart.
+inline constexpr double kNearModels = 0.05;
+/// It begins anew so often at most for one model, and looks at so many of the last ones. Judgement.
+inline constexpr unsigned kNewBeginnings = 3;
+inline constexpr std::size_t kModelsToLeave = 16;
+
 /// A search that learns takes over from the enumerator after so many dead ends without a model.
 inline constexpr std::uint64_t kMostDeadEnds = 50'000;
 /// The enumerator looks at the stop signal after so many dead ends.

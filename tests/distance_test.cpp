@@ -113,5 +113,31 @@ TEST_CASE("distance: of a program's solutions, with paths that differ and scenes
   CHECK(diversity.of_results() < 1);
 }
 
+/// Returns the least distance of all pairs, by comparing each with each.
+double least_of_pairs(const std::vector<Features>& all) {
+  double least = 1;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) least = std::min(least, overlap_of(all[i], all[j]).distance());
+  }
+  return least;
+}
+
+TEST_CASE("distance: that of the nearest two, where names differ, too") {
+  const std::vector<Solution> all =
+      solutions_of("n = range(0, 3); return [range(0, 2) for i in 1..n], flip(), flip(), flip();");
+  NearestPair nearest;
+  std::vector<Features> choices;
+  CHECK(!nearest.value());
+  for (std::size_t i = 0; i < all.size(); i += 7) {
+    choices.push_back(choice_features(all[i].choices));
+    nearest.add(choices.back());
+    CHECK(nearest.value().has_value() == (choices.size() > 1));
+    if (nearest.value()) CHECK(*nearest.value() == least_of_pairs(choices));
+  }
+  CHECK(choices.size() > 20);
+  nearest.add(choices.front());
+  CHECK(nearest.value() == 0.0);
+}
+
 }  // namespace
 }  // namespace solitaire

@@ -119,7 +119,15 @@ Verdict Cadical::solve(std::span<const int> assumptions, const StopSignal& signa
   return verdict;
 }
 
-bool Cadical::holds(int variable) { return solver_->val(variable) > 0; }
+void Cadical::start_anew(std::uint64_t seed) {
+  tell();
+  seed_ = seed;
+  const std::unique_ptr<CaDiCaL::Solver> old = std::move(solver_);
+  set_up();
+  old->copy(*solver_);
+}
+
+bool Cadical::holds(int variable) const { return solver_->val(variable) > 0; }
 
 std::vector<NodeId> Cadical::core(std::span<const NodeId> conditions, std::span<const int> assumed) {
   std::vector<NodeId> core;

@@ -38,8 +38,11 @@ class Cadical : public ClauseSink {
   /// Decides whether the clauses have a model under the assumptions. Returns kStopped if the signal or the
   /// limit of conflicts of this call came first. With 0 conflicts there is no such limit.
   Verdict solve(std::span<const int> assumptions, const StopSignal& signal, std::uint64_t conflicts = 0);
+  /// Goes on with a new solver that has the same clauses and nothing of what this one learned or came to last.
+  /// Not for use between solve() and what asks for its result.
+  void start_anew(std::uint64_t seed);
   /// Returns the value of a variable in the model. For use after kSatisfiable.
-  bool holds(int variable);
+  bool holds(int variable) const;
   /// Returns those of the conditions that the proof needed; `assumed` has the literal by which each was
   /// assumed, at the same place. For use after kUnsatisfiable.
   std::vector<NodeId> core(std::span<const NodeId> conditions, std::span<const int> assumed);
@@ -49,7 +52,7 @@ class Cadical : public ClauseSink {
   void tell();
 
   const Use use_;
-  const std::uint64_t seed_;
+  std::uint64_t seed_;
   std::unique_ptr<CaDiCaL::Solver> solver_;
   std::vector<int> untold_;  // the clauses that CaDiCaL does not know yet, each ended by 0
   std::vector<OrderImplication> untold_implications_;

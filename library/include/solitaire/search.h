@@ -33,7 +33,10 @@ struct Summary {
   std::uint64_t alike = 0;      // solutions that were left out because they look like others
   bool names_differed = false;  // whether some of these differ in names or extras of placed things
   /// The mean distance of all pairs of solutions, 0..1; see docs/formats.md.
-  double choice_distance = 0, result_distance = 0;
+  double choice_distance = 0;
+  /// That of the choices of the two nearest, unless there are fewer than two solutions or very many.
+  std::optional<double> nearest_choices;
+  double result_distance = 0;
   Times times;  // as of the last solution
 };
 
