@@ -80,6 +80,11 @@ solitaire::Diagnostic diagnostic_of(const solitaire::Condition& condition, const
   if (!named && tells_something(address)) diagnostic.notes.push_back("at " + address);
   if (!condition.turn.empty()) diagnostic.notes.push_back("where " + condition.turn);
   if (!condition.message.empty()) diagnostic.notes.push_back("message: " + condition.message);
+  const bool compares = message.find("==") != std::string::npos;
+  if (condition.never && condition.pin == nullptr && compares)
+    diagnostic.notes.push_back(
+        "whatever is chosen, this fails: values of different kinds, such as an int and a bool, are never "
+        "equal");
   return diagnostic;
 }
 

@@ -441,6 +441,16 @@ TEST_CASE("cli: a pin that no value fulfils is told with the values that there a
           "forbid: size is not \"large\", by --forbid 'size=1'\n"));
 }
 
+TEST_CASE("cli: an int that is compared with a bool is told of") {
+  const Workplace place;
+  const std::string script = place.file("kinds.sol", "b = range(1, 9);\nc = flip();\nassert(b == c);\n");
+  CHECK(has(run_solitaire({"explain", script}).out,
+            "kinds.sol:3:8: assert: b == c\n  3 | assert(b == c);\n    |        ^^^^^^\n"
+            "  note: whatever is chosen, this fails: values of different kinds, such as an int and a bool, "
+            "are never "
+            "equal\n"));
+}
+
 TEST_CASE("cli: members of many turns are told once, with the loops' variables") {
   const Workplace place;
   const std::string script = place.file("turns.sol",

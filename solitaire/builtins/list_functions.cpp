@@ -82,11 +82,20 @@ Value enumerate(Evaluator& evaluator, Call call) {
   });
 }
 
+/// Many languages have the list first.
+void check_order(Evaluator& evaluator, Call call, const char* name) {
+  if (!call.arguments[1].is_function()) return;
+  evaluator.program_error(call.site.span, fmt::format("'{}' takes the function first, then the list", name),
+                          fmt::format("write {}(f, xs), or a comprehension: [f(x) for x in xs]", name));
+}
+
 Value map_function(Evaluator& evaluator, Call call) {
+  check_order(evaluator, call, "map");
   return evaluator.map_list(call.arguments[0], call.arguments[1], call.site);
 }
 
 Value filter_function(Evaluator& evaluator, Call call) {
+  check_order(evaluator, call, "filter");
   return evaluator.filter_list(call.arguments[0], call.arguments[1], call.site);
 }
 

@@ -320,13 +320,21 @@ void StatementParser::semicolon(bool ends_with_function) {
   report("missing-semicolon", end, "expected ';' after this statement");
 }
 
-/// Returns what to write for a keyword of another language that was read as the statement's first name.
+/// Returns true for what 'else if' is called in other languages.
+bool StatementParser::is_else_if(const Token& token) {
+  return token.kind == TokenKind::kName &&
+         (token.text == "elif" || token.text == "elsif" || token.text == "elseif");
+}
+
+/// Returns what to write for a keyword of another language that was read as the statement's first name, or
+/// stands where the statement should end.
 std::string StatementParser::foreign_keyword_help() const {
+  if (is_else_if(peek())) return "write 'else if'";
   if (statement_start().kind != TokenKind::kName) return "";
   const std::string& word = statement_start().text;
   if (word == "let" || word == "var" || word == "const") return "a variable is made by assigning it: x = 3;";
   if (word == "def" || word == "function" || word == "func") return "a function is written fun f(x) { ... }";
-  if (word == "elif" || word == "elsif" || word == "elseif") return "write 'else if'";
+  if (is_else_if(statement_start())) return "write 'else if'";
   return "";
 }
 

@@ -41,6 +41,7 @@ class StatementParser final : public ExpressionParser {
   void check_target(const Expr& target);
   void check_counts(const AssignStmt& node);
   void semicolon(bool ends_with_function = false);
+  static bool is_else_if(const Token& token);
   std::string foreign_keyword_help() const;
 };
 
