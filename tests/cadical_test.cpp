@@ -10,7 +10,7 @@
 namespace solitaire {
 namespace {
 
-constexpr int kVariables = 10;
+constexpr int kCadicalVariables = 10;
 
 bool fulfilled(const Clause& clause, unsigned model) {
   return std::ranges::any_of(clause, [&](int literal) {
@@ -19,7 +19,7 @@ bool fulfilled(const Clause& clause, unsigned model) {
 }
 
 bool has_model(const std::vector<Clause>& clauses) {
-  for (unsigned model = 0; model < 1U << kVariables; ++model) {
+  for (unsigned model = 0; model < 1U << kCadicalVariables; ++model) {
     if (std::ranges::all_of(clauses, [&](const Clause& clause) { return fulfilled(clause, model); }))
       return true;
   }
@@ -28,7 +28,7 @@ bool has_model(const std::vector<Clause>& clauses) {
 
 unsigned model_of(const Cadical& cadical) {
   unsigned model = 0;
-  for (int variable = 1; variable <= kVariables; ++variable) {
+  for (int variable = 1; variable <= kCadicalVariables; ++variable) {
     if (cadical.holds(variable)) model |= 1U << (variable - 1);
   }
   return model;
@@ -42,7 +42,7 @@ TEST_CASE("cadical: a new beginning keeps the clauses, with models and without")
     std::vector<Clause> clauses;
     for (int step = 0; step < 5; ++step) {
       for (int j = 0; j < 12; ++j) {
-        clauses.push_back(random_clause(random, kVariables, 3, 1));
+        clauses.push_back(random_clause(random, kCadicalVariables, 3, 1));
         cadical.clause(clauses.back());
       }
       if (step % 2 == 1) cadical.start_anew(random());
