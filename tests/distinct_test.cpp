@@ -53,6 +53,7 @@ TEST_CASE("distinct: what comes is what every execution shows, once each") {
       "x = range(0, 5); place(\"chair\", material: if x > 2 then \"oak\" else \"steel\", scale: 1 + x % 2, "
       "price: x);",
       "x = range(0, 3); return x * 0.5 + (if flip() then 0.0 else 0.5);",
+      "v = range(0, 2); if v > 0 { w = range(0, 2); v = w; } return v * 0.25;",
       "aux a = range(0, 3); x = range(0, 3); assert(x <= a); return x / 2;",
       "x = range(0, 3); print(x); return x / 2;",
       "x = range(0, 3); y = flip(); return x / 2; output { return [x, y]; }",

@@ -104,7 +104,7 @@ void Graph::order(NodeId& a, NodeId& b) const {
 }
 
 NodeId Graph::apply(Op op, std::initializer_list<NodeId> operands) {
-  Node made{op, false, {}, {0, 1}, 0};
+  Node made{op, operation(op).result == Type::kFloat, {}, {0, 1}, 0};
   std::array<Interval, 3> intervals;
   bool constant = true;
   std::size_t count = 0;

@@ -13,7 +13,8 @@ constexpr std::size_t kLookArguments = 6;
 /// Collects conditions by which a value is another one than under an assignment.
 class Difference {
  public:
-  Difference(Graph& graph, Assignment& assignment) : graph_(graph), assignment_(assignment) {}
+  Difference(Graph& graph, const Trace& trace, Assignment& assignment)
+      : graph_(graph), trace_(trace), assignment_(assignment) {}
 
   void value(const Value& value) {
     if (const auto* symbol = value.get<Symbol>()) return node(symbol->node);
@@ -49,9 +50,18 @@ class Difference {
   void node(NodeId node) {
     if (graph_.node(node).is_constant()) return;
     if (!graph_.node(node).has_float) return other(node);
-    // Solvers know no floats; where one differs, a choice differs of which it is made.
-    for (const std::size_t variable : variables_below(graph_, {&node, 1}))
-      other(graph_.variable_node(variable));
+    // Solvers know no floats; where one differs, a choice differs of which it is made. The first such choice
+    // is one that this execution meets, too; of others, the values say nothing.
+    for (const std::size_t variable : variables_below(graph_, {&node, 1})) {
+      const NodeId chosen = graph_.variable_node(variable);
+      if (is_met(chosen)) other(chosen);
+    }
+  }
+
+  bool is_met(NodeId variable) {
+    return std::ranges::any_of(trace_.choices, [&](const TraceChoice& choice) {
+      return choice.variable == variable && assignment_.holds(choice.guard);
+    });
   }
 
   void other(NodeId node) {
@@ -61,6 +71,7 @@ class Difference {
   }
 
   Graph& graph_;
+  const Trace& trace_;
   Assignment& assignment_;
   std::vector<NodeId> conditions_;
 };
@@ -112,7 +123,7 @@ bool chooses_names(const SymbolicPass& pass) {
 
 std::vector<NodeId> something_else(Graph& graph, const SymbolicPass& pass, Apart apart,
                                    Assignment& assignment) {
-  Difference difference(graph, assignment);
+  Difference difference(graph, pass.trace, assignment);
   difference.value(pass.value);
   if (apart == Apart::kResult) {
     for (const TracePlaced& placed : pass.trace.placed)

@@ -46,6 +46,7 @@ std::vector<NodeId> reserved_values(Graph& graph, const Trace& trace) {
 std::vector<NodeId> differences(Graph& graph, const Trace& trace, const Valuation& solution) {
   std::vector<NodeId> conditions;
   for (const auto& [choice, exists] : choices_of(graph, trace)) {
+    if (choice->auxiliary) continue;
     const auto value = solution.find(choice->address);
     const NodeId equal = equals(
         graph, *choice, value == solution.end() ? reserved_value(graph, *choice) : value->second.as_int());

@@ -277,7 +277,7 @@ def kill_soon(case, words):
 
 
 def files_in(folder):
-    return {path.name: path.read_bytes() for path in Path(folder).glob("*-[0-9]*.*")}
+    return {path.name: path.read_bytes() for path in Path(folder).glob("[!.]*-[0-9]*.*")}
 
 
 CHECKS = [same_solutions, same_solutions, published_way, uniform, number, distinct_values, far_apart, pinned, pinned,
