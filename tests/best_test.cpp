@@ -164,6 +164,9 @@ TEST_CASE("best: near misses of generated programs are brute force's (slow)") {
   for (std::uint64_t seed = 500'000; seed < 500'120; ++seed) {
     ByteSource bytes(seed);
     const std::string text = generate_script(bytes);
+    // No solver can express a chosen int in a field of some width, and near misses that come to it are left
+    // out.
+    if (text.find("{:") != std::string::npos) continue;
     const Program program = program_of(text);
     const Executions all = run_all(program, true, 400);
     if (!all.countable || all.ranks.empty()) continue;

@@ -620,9 +620,9 @@ TEST_CASE("cli: what choose() chose is shown, and not its position alone") {
         if (choice["at"] == "w") CHECK(choice["element"] == "b");
       }
     }
-    CHECK(elements == std::map<int, json>{{1, "oven"}, {2, 3}, {3, nullptr}, {4, 5}});
+    CHECK(elements == std::map<int, json>{{1, "oven"}, {2, 3}, {3, {1, 2}}, {4, 5}});
   }
-  const std::string text = run_solitaire({"solve", script, "--pin", "k=1"}).out;
+  const std::string text = run_solitaire({"solve", script, "--pin", "k=oven"}).out;
   CHECK(has(text, "  k = \"oven\"\n"));
   CHECK(has(run_solitaire({"solve", script, "--pin", "k=3"}).out, "  k = 3\n"));
 }

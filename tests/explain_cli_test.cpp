@@ -142,7 +142,8 @@ TEST_CASE("cli: a conflict tells what is alike once, and all of it with --full")
         "  note: message: enough\n"
         "many.sol:3:8: assert: sum(xs) < 60\n"
         "  3 | assert(sum(xs) < 60);\n"
-        "    |        ^^^^^^^^^^^^\n");
+        "    |        ^^^^^^^^^^^^\n"
+        "the reason: added up, these conditions ask for 60 at least, and allow 59 at most\n");
   const std::string whole = run_solitaire({"explain", script, "--full"}).out;
   CHECK(has(whole, "  note: at assert[13]\n"));
   CHECK(json::parse(run_solitaire({"explain", script, "--json"}).out)["conflicts"][0]["members"].size() ==

@@ -7,6 +7,7 @@
 #include "solitaire/names/analyze.h"
 #include "tests/explain_check.h"
 #include "tests/generator/program_generator.h"
+#include "tests/program_run.h"
 
 namespace solitaire {
 namespace {
@@ -20,7 +21,7 @@ struct Sample {
     CAPTURE(seed);
     CAPTURE(text);
     SourceSet unused;
-    const Program program = load_program_text("test.sol", text, {}, unused);
+    const Program program = load_program_text("test.sol", text, library(), unused);
     TracingOptions options;
     options.limits.max_steps = 20'000;
     options.limits.max_depth = 40;

@@ -19,6 +19,8 @@ class Multipliers {
     params.set("ctrl_c", false);
     solver_.set(params);
     for (std::size_t i = 0; i < ranges.size(); ++i) factors_.emplace_back(context_);  // copies would be one
+    least_.push_back(context_.real_val(0));  // Z3 adds up no empty list
+    most_.push_back(context_.real_val(0));
     for (const LinearRow& row : rows) add(row);
     // The least that the sum of all rows can be: its factors times the lower ends of the ranges, and less by
     // the ranges' widths where a factor is negative.

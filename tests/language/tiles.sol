@@ -4,4 +4,4 @@ set = tiles([["g", "r", "g", "h"], ["r", "r", "r", "r"], ["h", "r", "g", "g"], [
 map = tile_map(set, 3, 2);
 assert(not allowed(set.all, set.to_the_right, "h", "h"));
 return map;
-// solutions: 400
+// expect solutions: 400
