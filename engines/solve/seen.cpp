@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solitaire/value/chosen_list.h"
+#include "solitaire/value/elements.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
@@ -19,6 +21,7 @@ class Difference {
   void value(const Value& value) {
     if (const auto* symbol = value.get<Symbol>()) return node(symbol->node);
     if (const List* list = value.as_list()) return all(list->items);
+    if (value.is<ChosenList>()) return list(packed(graph_, value));
     if (const auto* record = value.object<Record>()) return all(record->fields);
     if (const auto* text = value.object<Joined>()) return all(text->parts);
     const Union* several = value.as_union();
@@ -43,6 +46,17 @@ class Difference {
   std::vector<NodeId> take() { return std::move(conditions_); }
 
  private:
+  /// Of packed lists: another length, or another element where there is one.
+  void list(const Value& packed) {
+    const Elements elements(packed);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const NodeId guard = elements.guard(i);
+      if (!assignment_.holds(guard)) return add(guard);
+      add(graph_.negation(guard));
+      value(elements.value(i));
+    }
+  }
+
   void add(NodeId condition) {
     if (condition != kFalse) conditions_.push_back(condition);
   }
@@ -81,6 +95,10 @@ class Difference {
 bool is_sayable(const Value& value) {
   const auto all = [](const std::vector<Value>& values) { return std::ranges::all_of(values, is_sayable); };
   if (const List* list = value.as_list()) return all(list->items);
+  if (const auto* list = value.object<ChosenList>()) {
+    return std::ranges::all_of(list->elements,
+                               [](const GuardedElement& each) { return is_sayable(each.value); });
+  }
   if (const auto* record = value.object<Record>()) return all(record->fields);
   if (const auto* text = value.object<String>()) return !text->opaque;
   if (const auto* text = value.object<Joined>()) return all(text->parts);

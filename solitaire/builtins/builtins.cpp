@@ -9,6 +9,7 @@
 #include "solitaire/builtins/placing.h"
 #include "solitaire/builtins/text_functions.h"
 #include "solitaire/run/evaluation.h"
+#include "solitaire/value/chosen_list.h"
 
 namespace solitaire {
 namespace {
@@ -172,15 +173,24 @@ Value cond(Evaluator& evaluator, Call call) {
 /// Joins conditions that are given in a list or one by one.
 template <class Join>
 Value fold_conditions(Evaluator& evaluator, Call call, const char* name, bool neutral, Join join) {
-  const auto fold = [&](Items items) -> Value {
-    Value result = neutral;
-    for (const Value& item : items) {
-      result = join(result, evaluator.condition(item, call.site.span));
+  Value result = neutral;
+  const auto add = [&](const Value& item) {
+    result = join(result, evaluator.condition(item, call.site.span));
+  };
+  if (call.arguments.size() > 1) {
+    for (const Value& item : call.arguments) add(item);
+    return result;
+  }
+  return evaluator.with_list(call.arguments[0], name, argument_span(call, 0), [&](const Value& list) {
+    const Elements items(list);
+    result = neutral;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const auto checked = [&] { return evaluator.condition(items.value(i), call.site.span); };
+      result =
+          join(result, evaluator.where(evaluator.has_element(items, i), call.site.span, checked, neutral));
     }
     return result;
-  };
-  if (call.arguments.size() > 1) return fold(call.arguments);
-  return evaluator.with_items(call.arguments[0], name, argument_span(call, 0), fold);
+  });
 }
 
 Value all(Evaluator& evaluator, Call call) {
@@ -195,8 +205,9 @@ Value any(Evaluator& evaluator, Call call) {
 
 // ---- lists
 
-Value length_of(Evaluator& evaluator, Call call, const Value& value) {
+Value length_of_value(Evaluator& evaluator, Call call, const Value& value) {
   return evaluator.each_alternative(value, [&](const Value& x) -> Value {
+    if (x.is<ChosenList>()) return value_of(evaluator.graph(), length_of(evaluator.graph(), x));
     if (const String* text = x.object<String>()) {
       evaluator.check_known(x);
       return static_cast<std::int64_t>(count_characters(text->text));
@@ -204,7 +215,8 @@ Value length_of(Evaluator& evaluator, Call call, const Value& value) {
     if (const Joined* joined = x.object<Joined>()) {
       Value total = std::int64_t{0};
       for (const Value& part : joined->parts)
-        total = evaluator.arithmetic(BinaryOp::kAdd, total, length_of(evaluator, call, part), call.site.span);
+        total = evaluator.arithmetic(BinaryOp::kAdd, total, length_of_value(evaluator, call, part),
+                                     call.site.span);
       return total;
     }
     if (x.as_list() == nullptr)
@@ -213,19 +225,29 @@ Value length_of(Evaluator& evaluator, Call call, const Value& value) {
   });
 }
 
-Value length(Evaluator& evaluator, Call call) { return length_of(evaluator, call, call.arguments[0]); }
+Value length(Evaluator& evaluator, Call call) { return length_of_value(evaluator, call, call.arguments[0]); }
 
 Value sum(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "sum", argument_span(call, 0), [&](Items items) {
-    Value total = std::int64_t{0};
-    for (const Value& item : items) total = evaluator.arithmetic(BinaryOp::kAdd, total, item, call.site.span);
+  const Span span = call.site.span;
+  const Value nothing = std::int64_t{0};
+  return evaluator.with_list(call.arguments[0], "sum", argument_span(call, 0), [&](const Value& list) {
+    const Elements items(list);
+    Value total = nothing;
+    const auto add = [&](const Value& a, const Value& b) {
+      return evaluator.arithmetic(BinaryOp::kAdd, a, b, span);
+    };
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const Value has = evaluator.has_element(items, i);
+      const auto amount = [&] { return add(nothing, items.value(i)); };  // an error where it is no number
+      total = add(total, has.is<bool>() ? items.value(i) : evaluator.where(has, span, amount, nothing));
+    }
     return total;
   });
 }
 
 Value contains(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "contains", argument_span(call, 0), [&](Items items) {
-    return evaluator.is_among(items, call.arguments[1], call.site.span);
+  return evaluator.with_list(call.arguments[0], "contains", argument_span(call, 0), [&](const Value& list) {
+    return evaluator.is_among(list, call.arguments[1], call.site.span);
   });
 }
 
@@ -244,15 +266,18 @@ Value distinct(Evaluator& evaluator, Call call) {
 }
 
 Value pairs(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "pairs", argument_span(call, 0), [&](Items items) {
+  return evaluator.with_list(call.arguments[0], "pairs", argument_span(call, 0), [&](const Value& list) {
+    const Elements items(list);
     evaluator.step(call.site.span, items.size() * items.size() / 2);
-    std::vector<Value> made;
+    std::vector<GuardedElement> made;
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        made.push_back(evaluator.make_list({items[i], items[j]}, call.site.span));
+        const NodeId both =
+            list.is<List>() ? kTrue : evaluator.graph().conjunction(items.guard(i), items.guard(j));
+        made.push_back({both, evaluator.make_list({items.value(i), items.value(j)}, call.site.span)});
       }
     }
-    return evaluator.make_list(std::move(made), call.site.span);
+    return Value::chosen_list(std::move(made), false);
   });
 }
 
@@ -268,39 +293,54 @@ Value zip(Evaluator& evaluator, Call call) {
   });
 }
 
+Value reversed(const Value& list) {
+  const Elements items(list);
+  std::vector<GuardedElement> made;
+  for (std::size_t i = items.size(); i-- > 0;) made.push_back({items.guard(i), items.value(i)});
+  return Value::chosen_list(std::move(made), false);
+}
+
 Value reverse(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "reverse", argument_span(call, 0), [&](Items items) {
-    return evaluator.make_list(std::vector<Value>(items.rbegin(), items.rend()), call.site.span);
-  });
+  return evaluator.with_list(call.arguments[0], "reverse", argument_span(call, 0), reversed);
 }
 
 Value cons(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[1], "cons", argument_span(call, 1), [&](Items items) {
-    std::vector<Value> made{call.arguments[0]};
-    made.insert(made.end(), items.begin(), items.end());
-    evaluator.step(call.site.span, items.size());
-    return evaluator.make_list(std::move(made), call.site.span);
+  const Value first = evaluator.make_list({call.arguments[0]}, call.site.span);
+  return evaluator.with_list(call.arguments[1], "cons", argument_span(call, 1), [&](const Value& list) {
+    return evaluator.arithmetic(BinaryOp::kAdd, first, list, call.site.span);
   });
 }
 
 Value car(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "car", argument_span(call, 0), [&](Items items) {
-    if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
-    return items.front();
+  return evaluator.with_list(call.arguments[0], "car", argument_span(call, 0), [&](const Value& list) {
+    return evaluator.element(list, std::int64_t{0}, call.site.span);
   });
 }
 
+/// Of a list that is packed and not empty.
+Value without_first(Evaluator& evaluator, const Value& list, Span span) {
+  const Elements items(list);
+  evaluator.step(span, items.size());
+  std::vector<GuardedElement> made;
+  for (std::size_t i = 1; i < items.size(); ++i) made.push_back({items.guard(i), items.value(i)});
+  return Value::chosen_list(std::move(made), true);
+}
+
 Value cdr(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "cdr", argument_span(call, 0), [&](Items items) {
-    if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
-    evaluator.step(call.site.span, items.size());
-    return evaluator.make_list(std::vector<Value>(items.begin() + 1, items.end()), call.site.span);
+  return evaluator.with_list(call.arguments[0], "cdr", argument_span(call, 0), [&](const Value& list) {
+    evaluator.element(list, std::int64_t{0}, call.site.span);  // it has one
+    return without_first(evaluator, packed(evaluator.graph(), list), call.site.span);
   });
 }
 
 Value null(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "null", argument_span(call, 0),
-                              [](Items items) { return Value(items.empty()); });
+  return evaluator.with_list(call.arguments[0], "null", argument_span(call, 0), [&](const Value& list) {
+    const Elements items(list);
+    Value any = false;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      any = evaluator.either(any, evaluator.has_element(items, i));
+    return evaluator.invert(any);
+  });
 }
 
 // ---- text

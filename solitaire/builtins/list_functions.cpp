@@ -12,6 +12,19 @@ namespace {
 using Call = const BuiltinCall&;
 using Items = std::span<const Value>;
 
+/// How many elements of a list equal a value.
+Value count_in(Evaluator& evaluator, const Value& list, const Value& wanted, Span span) {
+  const Elements items(list);
+  Value total = std::int64_t{0};
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto is_one = [&] { return evaluator.equal(items.value(i), wanted, span); };
+    const Value counts = evaluator.where(evaluator.has_element(items, i), span, is_one, false);
+    const Value one = evaluator.select(counts, std::int64_t{1}, std::int64_t{0}, span);
+    total = evaluator.arithmetic(BinaryOp::kAdd, total, one, span);
+  }
+  return total;
+}
+
 /// For each item, whether it equals the value, as a bool.
 std::vector<Value> equalities(Evaluator& evaluator, Items items, const Value& value, Span span) {
   std::vector<Value> equal;
@@ -38,13 +51,8 @@ std::vector<Value> keys_of(Evaluator& evaluator, const Value& function, Items it
 
 Value count_equal(Evaluator& evaluator, Call call) {
   const Value wanted = given(call.arguments[1]) ? call.arguments[1] : Value(true);
-  return evaluator.with_items(call.arguments[0], "count", call.site.span, [&](Items items) {
-    Value total = std::int64_t{0};
-    for (const Value& equal : equalities(evaluator, items, wanted, call.site.span)) {
-      const Value one = evaluator.select(equal, std::int64_t{1}, std::int64_t{0}, call.site.span);
-      total = evaluator.arithmetic(BinaryOp::kAdd, total, one, call.site.span);
-    }
-    return total;
+  return evaluator.with_list(call.arguments[0], "count", call.site.span, [&](const Value& list) {
+    return count_in(evaluator, list, wanted, call.site.span);
   });
 }
 

@@ -55,7 +55,7 @@ class PlaceReader {
   }
   template <class Read>
   void each_shape(const Value& value, Read read) {
-    if (value.as_union() == nullptr && !value.is<Joined>()) return void(read(value));
+    if (value.has_one_shape()) return void(read(value));
     checks_.each_shape(value, [&](const Value& one) { read(one); });
   }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "solitaire/value/chosen_list.h"
 #include "solitaire/value/joined.h"
 
 namespace solitaire {
@@ -86,11 +87,13 @@ void Control::enter_side(const Site& site, BranchSide::Kind kind, Span span) {
   path_.levels = *levels;
 }
 
-Value Control::written_out(const Value& joined) {
-  const auto strings = spelled_out(*graph_, joined, kMostStrings);
+/// A string of parts, or a list of chosen length, as a union of what it can be.
+Value Control::written_out(const Value& value) {
+  if (value.is_list()) return of_each_length(*graph_, value);
+  const auto strings = spelled_out(*graph_, value, kMostStrings);
   if (!strings) {
     unsupported(
-        joined.object<Joined>()->span,
+        value.object<Joined>()->span,
         fmt::format("this text can be more than {} different ones, depending on choices", kMostStrings),
         "look at the values that it is made of");
   }

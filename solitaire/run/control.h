@@ -44,16 +44,21 @@ class Control : public PathEnds {
   template <class Then, class Else>
   Value choose_side(const Value& condition, const Site& site, Span span, std::span<const Slot> assigned,
                     Then then_value, Else else_value);
-  /// f of a value that is no union: of each alternative, merged. A string of parts is written out.
+  /// f() where the condition holds, else `otherwise`. No side is ever closed.
+  template <class Function>
+  Value where(const Value& condition, Span span, Function f, const Value& otherwise) {
+    return choose_side(condition, Site{}, span, {}, f, [&] { return otherwise; });
+  }
+  /// f of a value of one shape: of each alternative, merged. A string of parts and a list of chosen length
+  /// are written out.
   template <class Function>
   Value each_shape(const Value& value, Function f) {
-    if (value.as_union() == nullptr && !value.is<Joined>()) return f(value);
+    if (value.has_one_shape()) return f(value);
     return each_alternative(value, [&](const Value& one) -> Value {
-      if (one.is<Joined>()) return each_alternative(written_out(one), f);
-      return f(one);
+      return one.has_one_shape() ? f(one) : each_alternative(written_out(one), f);
     });
   }
-  /// The same, where a string of parts stays one.
+  /// The same, where strings of parts and lists of chosen length stay what they are.
   template <class Function>
   Value each_alternative(const Value& value, Function f) {
     if (value.as_union() == nullptr) return f(value);
@@ -114,7 +119,7 @@ class Control : public PathEnds {
             std::span<const Slot> assigned, Value& value);
   void enter_side(const Site& site, BranchSide::Kind kind, Span span);
   std::optional<bool> open_side(const Value& condition, const Site& site, Span span);
-  Value written_out(const Value& joined);
+  Value written_out(const Value& value);
   void report_taken(const Site& site, bool condition);
   template <class Function>
   Value each_of_union(const Value& value, Function f);

@@ -70,8 +70,8 @@ Value Walk::membership(const BinaryExpr& node) {
   const auto* ints =
       node.right->kind == ExprKind::kBinary ? static_cast<const BinaryExpr*>(node.right.get()) : nullptr;
   if (ints == nullptr || ints->op != BinaryOp::kUpTo) {
-    return with_items(expression(*node.right), "in", node.right->span,
-                      [&](std::span<const Value> items) { return is_among(items, value, node.span); });
+    return with_list(expression(*node.right), "in", node.right->span,
+                     [&](const Value& list) { return is_among(list, value, node.span); });
   }
   const Value first = expression(*ints->left);
   const Value last = expression(*ints->right);
@@ -79,8 +79,8 @@ Value Walk::membership(const BinaryExpr& node) {
     return both(compare(BinaryOp::kLessEqual, first, value, node.span),
                 compare(BinaryOp::kLessEqual, value, last, node.span));
   }
-  return with_items(up_to(first, last, node.right->span), "in", node.right->span,
-                    [&](std::span<const Value> items) { return is_among(items, value, node.span); });
+  return with_list(up_to(first, last, node.right->span), "in", node.right->span,
+                   [&](const Value& list) { return is_among(list, value, node.span); });
 }
 
 Value Walk::logical(const LogicalExpr& node) {

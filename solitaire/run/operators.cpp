@@ -1,9 +1,12 @@
 #include "solitaire/run/operators.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
+#include "solitaire/value/chosen_list.h"
+#include "solitaire/value/elements.h"
 #include "solitaire/value/joined.h"
 
 namespace solitaire {
@@ -163,24 +166,28 @@ Value Operators::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, 
     const bool ints = a.has_type(Type::kInt) && b.has_type(Type::kInt);
     return ints ? int_arithmetic(op, a, b, span) : float_arithmetic(op, a, b, span);
   }
-  if (op == BinaryOp::kAdd && a.as_list() != nullptr && b.as_list() != nullptr) {
-    std::vector<Value> items;
-    items.reserve(a.as_list()->items.size() + b.as_list()->items.size());
-    items = a.as_list()->items;
-    items.insert(items.end(), b.as_list()->items.begin(), b.as_list()->items.end());
-    step(span, items.size());
-    return make_list(std::move(items), span);
-  }
+  if (op == BinaryOp::kAdd && a.is_list() && b.is_list()) return joined_lists(a, b, span);
   if (op == BinaryOp::kAdd && is_one_string(a) && is_one_string(b))
     return is_text(a) && is_text(b) ? joined(a, b, span) : opaque_string(span);
   std::string help;
   if (a.object<String>() != nullptr || b.object<String>() != nullptr)
     help = "str(x) makes a string of a value";
-  if (a.as_list() != nullptr || b.as_list() != nullptr)
-    help = "put an element into brackets to join it to a list: xs + [x]";
+  if (a.is_list() || b.is_list()) help = "put an element into brackets to join it to a list: xs + [x]";
   program_error(
       span, fmt::format("'{}' does not go with {} and {}", meaning_of(op).symbol, describe(a), describe(b)),
       op == BinaryOp::kAdd ? help : "");
+}
+
+Value Operators::joined_lists(const Value& a, const Value& b, Span span) {
+  step(span, Elements(a).size() + Elements(b).size());
+  if (!a.is<List>() || !b.is<List>()) return concatenate_lists(a, b);
+  const std::vector<Value>& first = a.as_list()->items;
+  const std::vector<Value>& second = b.as_list()->items;
+  std::vector<Value> items;
+  items.reserve(first.size() + second.size());
+  items = first;
+  items.insert(items.end(), second.begin(), second.end());
+  return make_list(std::move(items), span);
 }
 
 /// One text behind the other. It counts as many steps as an execution makes at most.
@@ -306,6 +313,7 @@ Value Operators::equal_shaped(const Value& a, const Value& b, Span span) {
   if (const List* list = a.as_list(); list != nullptr && b.as_list() != nullptr) {
     return equal_members(list->items, b.as_list()->items, span);
   }
+  if (a.is_list() && b.is_list()) return equal_lists(packed(*graph_, a), packed(*graph_, b), span);
   if (const Record* record = a.object<Record>(); record != nullptr && b.object<Record>() != nullptr) {
     const Record* other = b.object<Record>();
     return record->type == other->type ? equal_members(record->fields, other->fields, span) : Value(false);
@@ -324,6 +332,22 @@ Value Operators::equal_members(const std::vector<Value>& a, const std::vector<Va
     step(span);
     all = both(all, equal(a[i], b[i], span));
     if (const bool* known = all.plain<bool>(); known != nullptr && !*known) return false;
+  }
+  return all;
+}
+
+/// Of packed lists, one of which has a chosen length: as long, and with equal elements where both have them.
+Value Operators::equal_lists(const Value& a, const Value& b, Span span) {
+  const Elements x(a), y(b);
+  Value all = true;
+  for (std::size_t i = 0; i < std::max(x.size(), y.size()); ++i) {
+    step(span);
+    const Value in_a = i < x.size() ? value_of(*graph_, x.guard(i)) : Value(false);
+    const Value in_b = i < y.size() ? value_of(*graph_, y.guard(i)) : Value(false);
+    all = both(all, equal(in_a, in_b, span));
+    if (i >= x.size() || i >= y.size()) continue;
+    all = both(all, where(
+                        both(in_a, in_b), span, [&] { return equal(x.value(i), y.value(i), span); }, true));
   }
   return all;
 }

@@ -93,10 +93,12 @@ class Operators : public Constraints {
   NodeId node_of_operation(Op op, std::span<const Value> operands, Span span);
   std::vector<Value> select_members(const Value& condition, const std::vector<Value>& a,
                                     const std::vector<Value>& b, Span span);
+  Value joined_lists(const Value& a, const Value& b, Span span);
   Value joined(const Value& a, const Value& b, Span span);
   Value equal_texts(const Value& a, const Value& b);
   Value equal_shaped(const Value& a, const Value& b, Span span);
   Value equal_members(const std::vector<Value>& a, const std::vector<Value>& b, Span span);
+  Value equal_lists(const Value& a, const Value& b, Span span);
   /// An int, constant or not, against a constant float: exactly, without making a float of the int.
   Value int_equals(const Value& a, double b);
   Value int_below(const Value& a, double b, bool strict, Span span);

@@ -1,16 +1,29 @@
 #include "solitaire/run/structures.h"
 
 #include <algorithm>
+#include <bit>
 #include <fmt/format.h>
 #include <optional>
 
 #include "base/nearest_name.h"
+#include "solitaire/value/chosen_list.h"
 
 namespace solitaire {
 namespace {
 
 /// How many elements a..b may have as a value where its length depends on choices.
 constexpr std::int64_t kLongestChosenRange = 4096;
+
+/// Up to how many elements a chosen index is compared with each index, for which it has a literal if it is
+/// told by order. Of more elements it selects by halves, so that the nodes do not nest as deep.
+constexpr std::int64_t kMostTested = 256;
+
+/// Returns the number from first + 1 to last that has most zero bits at its end. Comparisons with it look at
+/// the bits in front of these alone.
+std::int64_t roundest_between(std::int64_t first, std::int64_t last) {
+  const auto differing = static_cast<std::uint64_t>(first ^ last);
+  return last & ~static_cast<std::int64_t>(std::bit_floor(differing) - 1);
+}
 
 std::string field_help(const RecordStmt& type, const std::string& name) {
   std::vector<std::string> names;
@@ -25,7 +38,7 @@ std::string field_help(const RecordStmt& type, const std::string& name) {
 
 /// What to write for what is a method of lists elsewhere.
 std::string method_help(const Value& object, const std::string& name) {
-  if (object.as_list() == nullptr) return "";
+  if (!object.is_list()) return "";
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
@@ -60,6 +73,9 @@ void Structures::count_parts(const Value& value, Span span) {
     for (const Value& part : parts) count_parts(part, span);
   };
   if (const List* list = value.as_list()) count_all(list->items);
+  if (const ChosenList* list = value.object<ChosenList>()) {
+    for (const GuardedElement& element : list->elements) count_parts(element.value, span);
+  }
   if (const Record* record = value.object<Record>()) count_all(record->fields);
   if (const Union* several = value.as_union()) count_largest(*several, span);
 }
@@ -108,7 +124,7 @@ Value Structures::up_to(const Value& first, const Value& last, Span span) {
   return make_list(std::move(items), span);
 }
 
-/// a..b where its length depends on choices: a list of each length that it can have.
+/// a..b where its length depends on choices.
 Value Structures::chosen_range(const Value& first, const Value& last, Span span) {
   const NodeId begin = node_of(*graph_, first);
   const NodeId length = apply(
@@ -116,29 +132,24 @@ Value Structures::chosen_range(const Value& first, const Value& last, Span span)
       span);
   const Interval lengths = graph_->node(length).interval;
   const std::int64_t longest = std::max<std::int64_t>(lengths.hi, 0);
-  const std::int64_t shortest = std::max<std::int64_t>(lengths.lo, 0);
   if (longest > kLongestChosenRange) {
     unsupported(span, fmt::format("this range can have up to {} elements, depending on choices", longest),
                 fmt::format("at most {} can be kept as a list; a for over the range itself has no such limit",
                             kLongestChosenRange));
   }
-  Value result;
-  std::vector<Value> items;
-  for (std::int64_t i = 0; i < longest; ++i) items.push_back(arithmetic(BinaryOp::kAdd, first, i, span));
-  result = make_list(items, span);
-  for (std::int64_t count = longest - 1; count >= shortest; --count) {
-    items.pop_back();
-    result = merge(*graph_, graph_->apply(Op::kLeInt, {length, graph_->constant(count)}),
-                   make_list(items, span), result);
+  std::vector<GuardedElement> elements;
+  for (std::int64_t i = 0; i < longest; ++i) {
+    const NodeId longer = graph_->apply(Op::kLtInt, {graph_->constant(i), length});
+    elements.push_back({longer, arithmetic(BinaryOp::kAdd, first, i, span)});
   }
-  return result;
+  return Value::chosen_list(std::move(elements), true);
 }
 
 // ---- reading
 
 Value Structures::element(const Value& object, const Value& index, Span span) {
-  if (object.as_union() != nullptr || index.as_union() != nullptr) {
-    return each_shape(object, [&](const Value& o) {
+  if (object.as_union() != nullptr || !index.has_one_shape()) {
+    return each_alternative(object, [&](const Value& o) {
       return each_shape(index, [&](const Value& i) { return element(o, i, span); });
     });
   }
@@ -149,36 +160,80 @@ Value Structures::element(const Value& object, const Value& index, Span span) {
     return make_list(std::move(items), span);
   }
   check_indexed(object, index, span);
-  return element_of(object.as_list()->items, index, span);
+  if (object.is<ChosenList>()) return element_of_chosen(packed(*graph_, object), index, span);
+  return element_of(object, index, span);
 }
 
-Value Structures::is_among(std::span<const Value> items, const Value& value, Span span) {
-  if (value.has_type(Type::kInt) && are_consecutive(items)) {
+Value Structures::is_among(const Value& list, const Value& value, Span span) {
+  if (list.is<List>() && value.has_type(Type::kInt) && are_consecutive(list.as_list()->items)) {
+    const std::vector<Value>& items = list.as_list()->items;
     return both(compare(BinaryOp::kLessEqual, items.front(), value, span),
                 compare(BinaryOp::kLessEqual, value, items.back(), span));
   }
+  const Elements items(list);
   Value found = false;
-  for (const Value& item : items) found = either(found, equal(item, value, span));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto is_it = [&] { return equal(items.value(i), value, span); };
+    found = either(found, where(has_element(items, i), span, is_it, false));
+  }
   return found;
 }
 
 void Structures::check_indexed(const Value& object, const Value& index, Span span) {
-  if (object.as_list() == nullptr) program_error(span, fmt::format("{} has no elements", describe(object)));
+  if (!object.is_list()) program_error(span, fmt::format("{} has no elements", describe(object)));
   if (!index.has_type(Type::kInt))
     program_error(span, fmt::format("an index is an int, not {}", describe(index)));
 }
 
-Value Structures::element_of(const std::vector<Value>& items, const Value& index, Span span) {
+Value Structures::element_of(const Value& list, const Value& index, Span span) {
+  const std::vector<Value>& items = list.as_list()->items;
   if (index.traced()) return traced_element(items, index, span);
   if (index.is<std::int64_t>()) return items[checked_index(index, items.size(), span)];
-  const auto [first, last] = possible_indices(index, items.size(), span);
-  const NodeId node = node_of(*graph_, index);
-  Value chosen = items[static_cast<std::size_t>(last)];
-  for (std::int64_t i = last - 1; i >= first; --i) {
-    chosen = merge(*graph_, graph_->apply(Op::kEqInt, {node, graph_->constant(i)}),
-                   items[static_cast<std::size_t>(i)], chosen);
+  return selected(Elements(list), node_of(*graph_, index), possible_indices(index, items.size(), span));
+}
+
+/// The element at one of the possible indices.
+Value Structures::selected(const Elements& list, NodeId index,
+                           std::pair<std::int64_t, std::int64_t> possible) {
+  if (possible.second - possible.first >= kMostTested) return selected_by_halves(list, index, possible);
+  Value chosen = list.value(static_cast<std::size_t>(possible.second));
+  for (std::int64_t i = possible.second - 1; i >= possible.first; --i) {
+    chosen = merge(*graph_, graph_->apply(Op::kEqInt, {index, graph_->constant(i)}),
+                   list.value(static_cast<std::size_t>(i)), chosen);
   }
   return chosen;
+}
+
+Value Structures::selected_by_halves(const Elements& list, NodeId index,
+                                     std::pair<std::int64_t, std::int64_t> possible) {
+  const auto [first, last] = possible;
+  if (first == last) return list.value(static_cast<std::size_t>(first));
+  const std::int64_t middle = roundest_between(first, last);
+  const Value lower = selected_by_halves(list, index, {first, middle - 1});
+  const Value upper = selected_by_halves(list, index, {middle, last});
+  if (same(lower, upper)) return lower;  // runs of one value need no condition
+  return merge(*graph_, graph_->apply(Op::kLtInt, {index, graph_->constant(middle)}), lower, upper);
+}
+
+/// Of a packed list of chosen length.
+Value Structures::element_of_chosen(const Value& list, const Value& index, Span span) {
+  const Elements elements(list);
+  const auto possible = require_index(elements, index, span);
+  return selected(elements, node_of(*graph_, index), possible);
+}
+
+/// Rules out that a packed list of chosen length has no element at an index; returns the first and last index
+/// that are left.
+std::pair<std::int64_t, std::int64_t> Structures::require_index(const Elements& list, const Value& index,
+                                                                Span span) {
+  const auto possible = possible_indices(index, list.size(), span);
+  Value inside = true;
+  for (std::int64_t i = possible.first; i <= possible.second; ++i) {
+    const Value has = has_element(list, static_cast<std::size_t>(i));
+    inside = both(inside, either(has, invert(int_operation(Op::kEqInt, index, i, span))));
+  }
+  require(inside, ConstraintKind::kIndex, span);
+  return possible;
 }
 
 /// The element that a known index that comes from choices selects. If all that it can select have one shape,
@@ -253,22 +308,34 @@ Value Structures::checked_parts(const Value& value, std::size_t count, Span span
 // ---- changing
 
 void Structures::append(Value& collected, const Value& element, Span span) {
-  if (collected.is<List>() && collected.unique()) {
-    List& list = collected.own<List>();
-    list.items.push_back(element);
-    list.nesting = std::max(list.nesting, 1 + nesting(element));
-    return check_nesting(collected, span);
-  }
-  collected = each_shape(collected, [&](const Value& list) {
-    std::vector<Value> items = list.as_list()->items;
-    items.push_back(element);
-    return make_list(std::move(items), span);
+  if (collected.is_list()) return append_one(collected, element, span);
+  collected = each_alternative(collected, [&](const Value& list) {
+    Value longer = list;
+    append_one(longer, element, span);
+    return longer;
   });
 }
 
+/// In place, if nothing shares the list.
+void Structures::append_one(Value& collected, const Value& element, Span span) {
+  const auto add = [&](auto& list, auto& elements, auto added) {
+    elements.push_back(std::move(added));
+    list.nesting = std::max(list.nesting, 1 + nesting(element));
+  };
+  if (collected.is<List>()) {
+    List& list = collected.own<List>();
+    add(list, list.items, element);
+  } else {
+    ChosenList& list = collected.own<ChosenList>();
+    add(list, list.elements, GuardedElement{kTrue, element});
+    list.packed = false;
+  }
+  check_nesting(collected, span);
+}
+
 void Structures::update_element(Value& object, const Value& index, Span span, const Change& change) {
-  if (object.as_union() != nullptr || index.as_union() != nullptr) {
-    object = each_shape(object, [&](const Value& one) {
+  if (object.as_union() != nullptr || !index.has_one_shape()) {
+    object = each_alternative(object, [&](const Value& one) {
       return each_shape(index, [&](const Value& i) {
         Value changed = one;
         update_element(changed, i, span, change);
@@ -278,6 +345,7 @@ void Structures::update_element(Value& object, const Value& index, Span span, co
     return;
   }
   check_indexed(object, index, span);
+  if (object.is<ChosenList>()) return update_chosen_list(object, index, span, change);
   const std::size_t count = object.as_list()->items.size();
   if (index.is<std::int64_t>()) {
     if (index.traced()) follow(int_operation(Op::kEqInt, index, *index.get<std::int64_t>(), span), span);
@@ -286,34 +354,46 @@ void Structures::update_element(Value& object, const Value& index, Span span, co
     change(list.items[at]);
     list.nesting = std::max(list.nesting, 1 + nesting(list.items[at]));
   } else {
-    const auto possible = possible_indices(index, count, span);
-    update_chosen(object.own<List>(), node_of(*graph_, index), possible, change);
+    const auto [first, last] = possible_indices(index, count, span);
+    List& list = object.own<List>();
+    for (std::int64_t i = first; i <= last; ++i) {
+      Value& item = list.items[static_cast<std::size_t>(i)];
+      update_where(item, graph_->apply(Op::kEqInt, {node_of(*graph_, index), graph_->constant(i)}), change);
+      list.nesting = std::max(list.nesting, 1 + nesting(item));
+    }
   }
   check_nesting(object, span);
 }
 
-/// Changes each element that the index can select, where it selects it.
-void Structures::update_chosen(List& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible,
-                               const Change& change) {
-  for (std::int64_t i = possible.first; i <= possible.second; ++i) {
-    Value& item = list.items[static_cast<std::size_t>(i)];
-    const NodeId here = graph_->apply(Op::kEqInt, {index, graph_->constant(i)});
-    if (here == kFalse) continue;
-    Value unchanged = item;
-    Value none;
-    const std::array guards = {here, graph_->negation(here)};
-    split(guards, {}, none, [&](std::size_t side, Value& made) {
-      made = unchanged;
-      if (side == 0) change(made);
-      return true;
-    });
-    item = std::move(none);
+void Structures::update_chosen_list(Value& object, const Value& index, Span span, const Change& change) {
+  object = packed(*graph_, object);
+  const auto [first, last] = require_index(Elements(object), index, span);
+  ChosenList& list = object.own<ChosenList>();
+  for (std::int64_t i = first; i <= last; ++i) {
+    Value& item = list.elements[static_cast<std::size_t>(i)].value;
+    update_where(item, graph_->apply(Op::kEqInt, {node_of(*graph_, index), graph_->constant(i)}), change);
     list.nesting = std::max(list.nesting, 1 + nesting(item));
   }
+  check_nesting(object, span);
+}
+
+/// Changes an item where a condition holds.
+void Structures::update_where(Value& item, NodeId here, const Change& change) {
+  if (here == kFalse) return;
+  if (here == kTrue) return change(item);
+  const Value unchanged = item;
+  Value changed;
+  const std::array guards = {here, graph_->negation(here)};
+  split(guards, {}, changed, [&](std::size_t side, Value& made) {
+    made = unchanged;
+    if (side == 0) change(made);
+    return true;
+  });
+  item = std::move(changed);
 }
 
 void Structures::update_field(Value& object, const FieldExpr& target, const Change& change) {
-  if (object.as_union() != nullptr) {
+  if (!object.has_one_shape()) {
     object = each_shape(object, [&](const Value& one) {
       Value changed = one;
       update_field(changed, target, change);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solitaire/run/operators.h"
+#include "solitaire/value/elements.h"
 
 namespace solitaire {
 
@@ -18,7 +19,7 @@ class Structures : public Operators {
   Value element(const Value& object, const Value& index, Span span);
   /// Whether one of the items equals the value, as a bool. Of ints that follow each other this is a
   /// comparison with the first and the last one.
-  Value is_among(std::span<const Value> items, const Value& value, Span span);
+  Value is_among(const Value& list, const Value& value, Span span);
   Value field(const Value& object, const FieldExpr& access);
   /// Gives the items of a list of that length to `give`, in order; an error of the program if it is none.
   template <class Give>
@@ -37,6 +38,22 @@ class Structures : public Operators {
     });
   }
 
+  /// f of a list, of chosen length or not; an error of the program if the value is none. For what looks at
+  /// each element by itself, under its guard.
+  template <class Function>
+  Value with_list(const Value& value, const char* user, Span span, Function f) {
+    return each_alternative(value, [&](const Value& one) -> Value {
+      if (!one.is_list()) needs_list(one, user, span);
+      return f(one);
+    });
+  }
+  /// Whether a list has the element of that number, as a bool. Of a packed list this is whether it has so
+  /// many.
+  Value has_element(const Elements& list, std::size_t number) {
+    if (number >= list.size()) return false;
+    const NodeId guard = list.guard(number);
+    return guard == kTrue ? Value(true) : value_of(*graph_, guard);
+  }
   /// Counts a step for each part of a value, before all of it is looked at: lists that share their elements
   /// can have far more parts than there were steps to make them.
   void count_parts(const Value& value, Span span);
@@ -65,12 +82,17 @@ class Structures : public Operators {
   void check_indexed(const Value& object, const Value& index, Span span);
   [[noreturn]] void no_such_field(const RecordStmt& type, const FieldExpr& access);
   Value chosen_range(const Value& first, const Value& last, Span span);
-  Value element_of(const std::vector<Value>& items, const Value& index, Span span);
+  void append_one(Value& list, const Value& element, Span span);
+  Value element_of(const Value& list, const Value& index, Span span);
+  Value selected(const Elements& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible);
+  Value selected_by_halves(const Elements& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible);
+  Value element_of_chosen(const Value& list, const Value& index, Span span);
+  std::pair<std::int64_t, std::int64_t> require_index(const Elements& list, const Value& index, Span span);
+  void update_chosen_list(Value& object, const Value& index, Span span, const Change& change);
   Value traced_element(const std::vector<Value>& items, const Value& index, Span span);
   std::size_t checked_index(const Value& index, std::size_t count, Span span);
   std::pair<std::int64_t, std::int64_t> possible_indices(const Value& index, std::size_t count, Span span);
-  void update_chosen(List& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible,
-                     const Change& change);
+  void update_where(Value& item, NodeId here, const Change& change);
 };
 
 }  // namespace solitaire

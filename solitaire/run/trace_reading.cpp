@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solitaire/builtins/placing.h"
+#include "solitaire/value/elements.h"
 #include "solitaire/value/merge.h"
 
 namespace solitaire {
@@ -75,10 +76,13 @@ std::optional<Value> element_under(Assignment& assignment, const Value& list, st
     }
     return std::nullopt;
   }
-  const List* known = list.as_list();
-  const auto number = static_cast<std::size_t>(position);
-  if (known == nullptr || number >= known->items.size()) return Value();
-  return value_under(assignment, known->items[number]);
+  if (!list.is_list()) return Value();
+  const Elements elements(list);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (assignment.holds(elements.guard(i)) && position-- == 0)
+      return value_under(assignment, elements.value(i));
+  }
+  return Value();
 }
 
 Type type_of(const Value& scalar) {
@@ -106,6 +110,16 @@ std::optional<Value> value_under(Assignment& assignment, const Value& value) {
   if (const List* list = value.as_list()) {
     std::vector<Value> items;
     if (!values_under(assignment, list->items, items)) return std::nullopt;
+    return Value::list(std::move(items));
+  }
+  if (const auto* list = value.object<ChosenList>()) {
+    std::vector<Value> items;
+    for (const auto& [guard, element] : list->elements) {
+      if (!assignment.holds(guard)) continue;
+      std::optional<Value> item = value_under(assignment, element);
+      if (!item) return std::nullopt;
+      items.push_back(std::move(*item));
+    }
     return Value::list(std::move(items));
   }
   if (const auto* record = value.object<Record>()) {

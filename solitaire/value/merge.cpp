@@ -1,5 +1,10 @@
 #include "solitaire/value/merge.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "solitaire/value/elements.h"
+
 namespace solitaire {
 
 bool same_shape(const Value& a, const Value& b) {
@@ -24,9 +29,55 @@ std::vector<Value> merge_members(Graph& graph, NodeId condition, const std::vect
   return merged;
 }
 
-/// Assumes: same_shape(a, b).
+/// Returns true if two that are no unions merge into one value that is none either.
+bool can_merge(const Value& a, const Value& b) { return (a.is_list() && b.is_list()) || same_shape(a, b); }
+
+/// Where two lists have the same elements under the same guards: so many from the start, so many at the end.
+struct Common {
+  std::size_t first, last;
+};
+
+Common common_ends(const Elements& a, const Elements& b) {
+  const std::size_t most = std::min(a.size(), b.size());
+  const auto alike = [&](std::size_t i, std::size_t j) {
+    return a.guard(i) == b.guard(j) && same(a.value(i), b.value(j));
+  };
+  Common common{0, 0};
+  while (common.first < most && alike(common.first, common.first)) ++common.first;
+  while (common.first + common.last < most && a.size() != b.size() &&
+         alike(a.size() - common.last - 1, b.size() - common.last - 1))
+    ++common.last;
+  return common;
+}
+
+/// Lists of which one at least has a chosen length, or of different lengths: what lies between common ends is
+/// merged from its start.
+Value merge_lists(Graph& graph, NodeId condition, const Value& a, const Value& b) {
+  const Elements x(a), y(b);
+  const auto [first, last] = common_ends(x, y);
+  const NodeId otherwise = graph.negation(condition);
+  std::vector<GuardedElement> merged;
+  merged.reserve(std::max(x.size(), y.size()));
+  for (std::size_t i = 0; i < first; ++i) merged.push_back({x.guard(i), x.value(i)});
+  const std::size_t end_of_x = x.size() - last, end_of_y = y.size() - last;
+  for (std::size_t i = first; i < std::max(end_of_x, end_of_y); ++i) {
+    if (i >= end_of_y) {
+      merged.push_back({graph.conjunction(condition, x.guard(i)), x.value(i)});
+    } else if (i >= end_of_x) {
+      merged.push_back({graph.conjunction(otherwise, y.guard(i)), y.value(i)});
+    } else {
+      merged.push_back(
+          {graph.phi(condition, x.guard(i), y.guard(i)), merge(graph, condition, x.value(i), y.value(i))});
+    }
+  }
+  for (std::size_t i = end_of_x; i < x.size(); ++i) merged.push_back({x.guard(i), x.value(i)});
+  return Value::chosen_list(std::move(merged), x.packed() && y.packed() && last == 0);
+}
+
+/// Assumes: can_merge(a, b).
 Value merge_shaped(Graph& graph, NodeId condition, const Value& a, const Value& b) {
   if (same(a, b)) return a;
+  if (a.is_list() && !same_shape(a, b)) return merge_lists(graph, condition, a, b);
   if (const List* list = a.as_list()) {
     return Value::list(merge_members(graph, condition, list->items, b.as_list()->items));
   }
@@ -56,7 +107,7 @@ Value merge_alternatives(Graph& graph, NodeId condition, const Value& a, const V
   std::vector<bool> met(of_a, false);
   for (const Alternative& other : alternatives_of(b)) {
     std::size_t i = 0;
-    while (i < of_a && (met[i] || !same_shape(merged[i].value, other.value))) ++i;
+    while (i < of_a && (met[i] || !can_merge(merged[i].value, other.value))) ++i;
     if (i < of_a) {
       met[i] = true;
       merged[i].value = merge_shaped(graph, condition, merged[i].value, other.value);
@@ -79,7 +130,7 @@ Value merge(Graph& graph, NodeId condition, const Value& a, const Value& b) {
   if (condition == kTrue) return a;
   if (condition == kFalse) return b;
   if (a.identical(b)) return a;
-  if (!a.as_union() && !b.as_union() && same_shape(a, b)) return merge_shaped(graph, condition, a, b);
+  if (!a.as_union() && !b.as_union() && can_merge(a, b)) return merge_shaped(graph, condition, a, b);
   return merge_alternatives(graph, condition, a, b);
 }
 

@@ -40,6 +40,7 @@ PlainValue plain(const Value& value) {
     case Value::Kind::kRecordType:
     case Value::Kind::kSymbol:
     case Value::Kind::kJoined:
+    case Value::Kind::kChosenList:
     case Value::Kind::kUnion:
       break;
   }

@@ -22,9 +22,21 @@ bool same_all(const std::vector<Value>& a, const std::vector<Value>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
+/// Of alternatives of a union, and of elements of a list of chosen length.
+template <class Guarded>
+bool same_guarded(const std::vector<Guarded>& a, const std::vector<Guarded>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Guarded& x, const Guarded& y) {
+    return x.guard == y.guard && same(x.value, y.value);
+  });
+}
+
 }  // namespace
 
 List::List(std::vector<Value> values) : items(std::move(values)), nesting(nesting_of(items)) {}
+ChosenList::ChosenList(std::vector<Element> several, bool in_place)
+    : elements(std::move(several)), packed(in_place), nesting(1) {
+  for (const Element& element : elements) nesting = std::max(nesting, 1 + solitaire::nesting(element.value));
+}
 Joined::Joined(std::vector<Value> values, Span place)
     : parts(std::move(values)), span(place), nesting(nesting_of(parts)) {}
 Record::Record(const RecordStmt* declaration, std::vector<Value> values)
@@ -32,6 +44,7 @@ Record::Record(const RecordStmt* declaration, std::vector<Value> values)
 
 std::uint32_t nesting(const Value& value) {
   if (const List* list = value.as_list()) return list->nesting;
+  if (const ChosenList* list = value.object<ChosenList>()) return list->nesting;
   if (const Record* record = value.object<Record>()) return record->nesting;
   if (const Joined* joined = value.object<Joined>()) return joined->nesting;
   if (const Union* several = value.as_union()) {
@@ -52,6 +65,8 @@ bool same(const Value& a, const Value& b) {
   }
   if (const Joined* joined = a.object<Joined>()) return same_all(joined->parts, b.object<Joined>()->parts);
   if (const List* list = a.as_list()) return same_all(list->items, b.as_list()->items);
+  if (const ChosenList* list = a.object<ChosenList>())
+    return same_guarded(list->elements, b.object<ChosenList>()->elements);
   if (const Record* record = a.object<Record>()) {
     return record->type == b.object<Record>()->type && same_all(record->fields, b.object<Record>()->fields);
   }
@@ -61,13 +76,8 @@ bool same(const Value& a, const Value& b) {
   }
   if (const RecordType* type = a.object<RecordType>())
     return type->declaration == b.object<RecordType>()->declaration;
-  if (const Union* several = a.as_union()) {
-    const auto& x = several->alternatives;
-    const auto& y = b.as_union()->alternatives;
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& p, const auto& q) {
-      return p.guard == q.guard && same(p.value, q.value);
-    });
-  }
+  if (const Union* several = a.as_union())
+    return same_guarded(several->alternatives, b.as_union()->alternatives);
   return false;
 }
 
@@ -77,11 +87,21 @@ bool is_known(const Value& value) {
     return std::all_of(list->items.begin(), list->items.end(), is_known);
   if (const Record* record = value.object<Record>())
     return std::all_of(record->fields.begin(), record->fields.end(), is_known);
-  return !value.is<Symbol>() && !value.is<Joined>() && value.as_union() == nullptr;
+  return !value.is<Symbol>() && value.has_one_shape();
 }
 
 Value Value::string(std::string text) { return make_ref<String>(std::move(text)); }
 Value Value::list(std::vector<Value> items) { return make_ref<List>(std::move(items)); }
+
+Value Value::chosen_list(std::vector<GuardedElement> elements, bool packed) {
+  std::erase_if(elements, [](const GuardedElement& element) { return element.guard == kFalse; });
+  if (std::ranges::any_of(elements, [](const GuardedElement& element) { return element.guard != kTrue; }))
+    return make_ref<ChosenList>(std::move(elements), packed);
+  std::vector<Value> items;
+  items.reserve(elements.size());
+  for (GuardedElement& element : elements) items.push_back(std::move(element.value));
+  return list(std::move(items));
+}
 
 bool Value::identical(const Value& other) const {
   if (kind_ != other.kind_ || node_ != other.node_) return false;
@@ -116,12 +136,14 @@ void collect_nodes(const Value& value, std::vector<NodeId>& nodes) {
   if (const Joined* joined = value.object<Joined>()) {
     for (const Value& part : joined->parts) collect_nodes(part, nodes);
   }
-  if (const Union* several = value.as_union()) {
-    for (const auto& [guard, alternative] : several->alternatives) {
+  const auto collect_guarded = [&](const auto& several) {
+    for (const auto& [guard, member] : several) {
       nodes.push_back(guard);
-      collect_nodes(alternative, nodes);
+      collect_nodes(member, nodes);
     }
-  }
+  };
+  if (const ChosenList* list = value.object<ChosenList>()) collect_guarded(list->elements);
+  if (const Union* several = value.as_union()) collect_guarded(several->alternatives);
 }
 
 std::string describe(const Value& value) {
@@ -137,6 +159,7 @@ std::string describe(const Value& value) {
     case Value::Kind::kJoined:
       return "a string";
     case Value::Kind::kList:
+    case Value::Kind::kChosenList:
       return "a list";
     case Value::Kind::kRecord:
       return fmt::format("a record {}", value.object<Record>()->type->name);
@@ -155,6 +178,12 @@ std::string to_text(const Value& value, const NodeName& name) {
   const auto joined = [&name](const std::vector<Value>& items, const char* between = ", ") {
     std::string text;
     for (const Value& item : items) text += (text.empty() ? "" : between) + to_text(item, name);
+    return text;
+  };
+  const auto guarded = [&name](const auto& several, const char* between) {
+    std::string text;
+    for (const auto& [guard, member] : several)
+      text += fmt::format("{}{} if {}", text.empty() ? "" : between, to_text(member, name), name(guard));
     return text;
   };
   switch (value.kind()) {
@@ -178,6 +207,8 @@ std::string to_text(const Value& value, const NodeName& name) {
       return joined(value.object<Joined>()->parts, " + ");
     case Value::Kind::kList:
       return "[" + joined(value.as_list()->items) + "]";
+    case Value::Kind::kChosenList:
+      return "[" + guarded(value.object<ChosenList>()->elements, ", ") + "]";
     case Value::Kind::kRecord: {
       const Record& record = *value.object<Record>();
       std::string text;
@@ -191,13 +222,8 @@ std::string to_text(const Value& value, const NodeName& name) {
       return function_name(*value.object<Closure>());
     case Value::Kind::kRecordType:
       return "record " + value.object<RecordType>()->declaration->name;
-    case Value::Kind::kUnion: {
-      std::string text;
-      for (const auto& [guard, alternative] : value.as_union()->alternatives) {
-        text += fmt::format("{}{} if {}", text.empty() ? "" : " | ", to_text(alternative, name), name(guard));
-      }
-      return "(" + text + ")";
-    }
+    case Value::Kind::kUnion:
+      return "(" + guarded(value.as_union()->alternatives, " | ") + ")";
   }
   return "";
 }

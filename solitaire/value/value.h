@@ -22,7 +22,9 @@ struct Symbol {
 
 struct String;
 struct Joined;
+struct GuardedElement;
 struct List;
+struct ChosenList;
 struct Record;
 struct Closure;
 struct RecordType;
@@ -53,6 +55,7 @@ class Value {
     kString,
     kJoined,
     kList,
+    kChosenList,
     kRecord,
     kClosure,
     kRecordType,
@@ -96,6 +99,8 @@ class Value {
   static Value nil() { return Nil{}; }
   static Value string(std::string text);
   static Value list(std::vector<Value> items);
+  /// A list of elements, each with its guard: a List if it has all of them in all executions.
+  static Value chosen_list(std::vector<GuardedElement> elements, bool packed);
 
   Kind kind() const { return kind_; }
   template <class T>
@@ -141,6 +146,11 @@ class Value {
 
   const List* as_list() const;
   const Union* as_union() const;
+  /// Returns true for a list, of chosen length or not.
+  bool is_list() const { return is<List>() || is<ChosenList>(); }
+  /// Returns true for a value that is an object of one kind and size in all executions: no union, no string
+  /// of parts, and no list of chosen length.
+  bool has_one_shape() const { return !is<Union>() && !is<Joined>() && !is<ChosenList>(); }
   bool is_function() const { return is<Closure>() || is<RecordType>() || is<BuiltinRef>(); }
   /// Returns true for a bool, int or float of that type, constant or not.
   bool has_type(Type type) const;
@@ -170,6 +180,7 @@ class Value {
   static constexpr Kind kind_of(const String*) { return Kind::kString; }
   static constexpr Kind kind_of(const Joined*) { return Kind::kJoined; }
   static constexpr Kind kind_of(const List*) { return Kind::kList; }
+  static constexpr Kind kind_of(const ChosenList*) { return Kind::kChosenList; }
   static constexpr Kind kind_of(const Record*) { return Kind::kRecord; }
   static constexpr Kind kind_of(const Closure*) { return Kind::kClosure; }
   static constexpr Kind kind_of(const RecordType*) { return Kind::kRecordType; }
@@ -211,6 +222,22 @@ struct List : Counted {
   std::uint32_t nesting;  // how deep lists and records nest in it; 1 for a list of plain values
 };
 
+/// An element of a list of chosen length: the list has it where the guard holds.
+struct GuardedElement {
+  NodeId guard;
+  Value value;
+};
+
+/// A list whose length depends on choices: elements in their order, each with the condition under which the
+/// list has it. At least one of these is no constant. See chosen_list.h.
+struct ChosenList : Counted {
+  using Element = GuardedElement;
+  ChosenList(std::vector<Element> several, bool in_place);
+  std::vector<Element> elements;
+  bool packed;  // each guard implies the one before it, so that an element's index is its place here
+  std::uint32_t nesting;  // as that of a List
+};
+
 /// The constructor of records that a `record` statement declares.
 struct RecordType : Counted {
   RecordType(const RecordStmt* statement, std::uint32_t in_module)
@@ -250,8 +277,8 @@ struct Closure : Counted {
   std::uint32_t module;
 };
 
-/// A value whose shape depends on choices: exactly one guard holds in any execution that comes here. At least
-/// two alternatives, no two of one shape, none a union itself.
+/// A value whose shape depends on choices, other than by the length of a list alone: exactly one guard holds
+/// in any execution that comes here. At least two alternatives, no two of one shape, none a union itself.
 struct Union : Counted {
   struct Alternative {
     NodeId guard;
