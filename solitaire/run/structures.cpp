@@ -1,7 +1,6 @@
 #include "solitaire/run/structures.h"
 
 #include <algorithm>
-#include <bit>
 #include <fmt/format.h>
 #include <optional>
 
@@ -13,17 +12,6 @@ namespace {
 
 /// How many elements a..b may have as a value where its length depends on choices.
 constexpr std::int64_t kLongestChosenRange = 4096;
-
-/// Up to how many elements a chosen index is compared with each index, for which it has a literal if it is
-/// told by order. Of more elements it selects by halves, so that the nodes do not nest as deep.
-constexpr std::int64_t kMostTested = 256;
-
-/// Returns the number from first + 1 to last that has most zero bits at its end. Comparisons with it look at
-/// the bits in front of these alone.
-std::int64_t roundest_between(std::int64_t first, std::int64_t last) {
-  const auto differing = static_cast<std::uint64_t>(first ^ last);
-  return last & ~static_cast<std::int64_t>(std::bit_floor(differing) - 1);
-}
 
 std::string field_help(const RecordStmt& type, const std::string& name) {
   std::vector<std::string> names;
@@ -195,24 +183,12 @@ Value Structures::element_of(const Value& list, const Value& index, Span span) {
 /// The element at one of the possible indices.
 Value Structures::selected(const Elements& list, NodeId index,
                            std::pair<std::int64_t, std::int64_t> possible) {
-  if (possible.second - possible.first >= kMostTested) return selected_by_halves(list, index, possible);
   Value chosen = list.value(static_cast<std::size_t>(possible.second));
   for (std::int64_t i = possible.second - 1; i >= possible.first; --i) {
     chosen = merge(*graph_, graph_->apply(Op::kEqInt, {index, graph_->constant(i)}),
                    list.value(static_cast<std::size_t>(i)), chosen);
   }
   return chosen;
-}
-
-Value Structures::selected_by_halves(const Elements& list, NodeId index,
-                                     std::pair<std::int64_t, std::int64_t> possible) {
-  const auto [first, last] = possible;
-  if (first == last) return list.value(static_cast<std::size_t>(first));
-  const std::int64_t middle = roundest_between(first, last);
-  const Value lower = selected_by_halves(list, index, {first, middle - 1});
-  const Value upper = selected_by_halves(list, index, {middle, last});
-  if (same(lower, upper)) return lower;  // runs of one value need no condition
-  return merge(*graph_, graph_->apply(Op::kLtInt, {index, graph_->constant(middle)}), lower, upper);
 }
 
 /// Of a packed list of chosen length.

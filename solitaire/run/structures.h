@@ -85,7 +85,6 @@ class Structures : public Operators {
   void append_one(Value& list, const Value& element, Span span);
   Value element_of(const Value& list, const Value& index, Span span);
   Value selected(const Elements& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible);
-  Value selected_by_halves(const Elements& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible);
   Value element_of_chosen(const Value& list, const Value& index, Span span);
   std::pair<std::int64_t, std::int64_t> require_index(const Elements& list, const Value& index, Span span);
   void update_chosen_list(Value& object, const Value& index, Span span, const Change& change);
