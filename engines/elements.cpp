@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "solitaire/value/elements.h"
 #include "solitaire/value/plain_value.h"
 #include "solitaire/value/short_text.h"
 
@@ -23,9 +24,9 @@ void for_each_shape(const Value& value, const Each& each) {
 }
 
 /// Adds the texts of a list's elements, each once, in the order in which they stand, and a few at most.
-void add_elements(const List& list, std::vector<std::string>& texts) {
-  for (const Value& element : list.items) {
-    for_each_shape(element, [&](const Value& one) {
+void add_elements(const Elements& list, std::vector<std::string>& texts) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    for_each_shape(list.value(i), [&](const Value& one) {
       std::string text = short_text(one);
       const bool is_new = !text.empty() && std::ranges::find(texts, text) == texts.end();
       if (is_new && texts.size() <= kShortList) texts.push_back(std::move(text));
@@ -45,7 +46,7 @@ bool means_element(const std::string& said, const std::string& element) {
 std::string elements_text(const Value& list) {
   std::vector<std::string> texts;
   for_each_shape(list, [&](const Value& one) {
-    if (one.as_list() != nullptr) add_elements(*one.as_list(), texts);
+    if (one.is_list()) add_elements(Elements(one), texts);
   });
   std::string joined;
   for (std::size_t i = 0; i < std::min(texts.size(), kShortList); ++i)

@@ -7,6 +7,7 @@
 
 #include "base/nearest_name.h"
 #include "engines/elements.h"
+#include "solitaire/value/chosen_list.h"
 #include "solitaire/value/short_text.h"
 
 namespace solitaire {
@@ -92,6 +93,7 @@ bool is_position(const Pin& pin, const List& list) {
 
 /// Returns the condition that an element is the one that the pin says.
 NodeId is_meant(Graph& graph, const Value& element, const Pin& pin) {
+  if (element.is<ChosenList>()) return is_meant(graph, of_each_length(graph, element), pin);
   if (const Union* several = element.as_union()) {
     NodeId any = kFalse;
     for (const auto& [guard, value] : several->alternatives)
@@ -109,6 +111,7 @@ NodeId is_meant(Graph& graph, const Value& element, const Pin& pin) {
 
 /// Returns the condition that the pin means what stands at the chosen position of a list.
 NodeId has_element(Graph& graph, const Value& list, const TraceChoice& choice, const Pin& pin) {
+  if (list.is<ChosenList>()) return has_element(graph, of_each_length(graph, list), choice, pin);
   NodeId any = kFalse;
   if (const Union* several = list.as_union()) {
     for (const auto& [guard, value] : several->alternatives)
