@@ -14,20 +14,18 @@ using Outcome = ExecutionSolver::Outcome;
 
 }  // namespace
 
+/// Asks for one error after the other: what rules one out is mostly said by a few conditions, where ruling all
+/// of them out at once is a search through all that they depend on.
 void ProgramErrors::report_reachable() {
-  const Trace& trace = solver_.trace();
-  if (trace.program_errors.empty()) return;
-  NodeId any = kFalse;
-  for (const TraceProgramError& error : trace.program_errors)
-    any = solver_.graph().disjunction(any, error.guard);
-  const Outcome outcome = solver_.find_explored([&] { return std::vector{any}; });
-  if (outcome != Outcome::kFound || !solver_.exact()) return;  // perhaps only since ints wrapped
-  Assignment assignment = solver_.assignment();
-  const auto met = std::ranges::find_if(
-      trace.program_errors, [&](const TraceProgramError& error) { return assignment.holds(error.guard); });
-  if (met == trace.program_errors.end()) throw InternalError("a model that comes to an error comes to none");
-  const std::optional<Diagnostic> error = diagnose(*met, solver_.met(assignment).values);
-  if (error) throw ProgramError(*error);
+  for (const TraceProgramError& error : solver_.trace().program_errors) {
+    const Outcome outcome = solver_.find_explored([&] { return std::vector{error.guard}; });
+    if (outcome == Outcome::kStopped) return;
+    if (outcome != Outcome::kFound || !solver_.exact()) continue;  // perhaps only since ints wrapped
+    Assignment assignment = solver_.assignment();
+    const std::optional<Diagnostic> reported = diagnose(error, solver_.met(assignment).values);
+    if (reported) throw ProgramError(*reported);
+    return;  // there is a further pass, whose errors are asked for anew
+  }
 }
 
 /// Returns the error to which an execution with these choices comes, as a run reports it, or what the pass
