@@ -9,7 +9,8 @@ namespace solitaire::tuning {
 
 // Distances (engines/distance.h).
 
-/// The distance of the nearest two out of a set is given up after comparing so many names: about a tenth of a second.
+/// The distance of the nearest two out of a set is given up after comparing so many names: about a tenth of a
+/// second.
 constexpr std::uint64_t kNamesCompared = 20'000'000;
 
 // Exploration (engines/solve/explore.h).

@@ -14,8 +14,8 @@ using Outcome = ExecutionSolver::Outcome;
 
 }  // namespace
 
-/// Asks for one error after the other: what rules one out is mostly said by a few conditions, where ruling all
-/// of them out at once is a search through all that they depend on.
+/// Asks for one error after the other: what rules one out is mostly said by a few conditions, where ruling
+/// all of them out at once is a search through all that they depend on.
 void ProgramErrors::report_reachable() {
   for (const TraceProgramError& error : solver_.trace().program_errors) {
     const Outcome outcome = solver_.find_explored([&] { return std::vector{error.guard}; });

@@ -38,8 +38,8 @@ class Cadical : public ClauseSink {
   /// Decides whether the clauses have a model under the assumptions. Returns kStopped if the signal or the
   /// limit of conflicts of this call came first. With 0 conflicts there is no such limit.
   Verdict solve(std::span<const int> assumptions, const StopSignal& signal, std::uint64_t conflicts = 0);
-  /// Goes on with a new solver that has the same clauses and nothing of what this one learned or came to last.
-  /// Not for use between solve() and what asks for its result.
+  /// Goes on with a new solver that has the same clauses and nothing of what this one learned or came to
+  /// last. Not for use between solve() and what asks for its result.
   void start_anew(std::uint64_t seed);
   /// Returns the value of a variable in the model. For use after kSatisfiable.
   bool holds(int variable) const;
