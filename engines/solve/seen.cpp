@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engines/distinct.h"
 #include "solitaire/value/chosen_list.h"
 #include "solitaire/value/elements.h"
 #include "tracegraph/cone.h"

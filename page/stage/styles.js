@@ -15,7 +15,7 @@ function faded(material) {
 
 function marked(material, color) {
   const variant = material.clone();
-  variant.color.lerp(new Color(color), 0.42);
+  variant.color.lerp(new Color(color), 0.55);
   variant.emissive?.set(color);
   variant.emissiveIntensity = 0.15;
   return [{ material: variant, shadow: true }];
