@@ -497,8 +497,10 @@ void check_resumed(int signal, int milliseconds_each) {
     check_whole(place / "parts");
   }
   CHECK(run_solitaire(parts).status == 0);
-  for (const fs::path& file : entries(place / "parts")) {
-    if (file.extension() == ".part") fs::remove(file);
+  for (const fs::path& folder : {place / "parts", place / "parts/page"}) {
+    for (const fs::path& file : entries(folder)) {
+      if (file.extension() == ".part") fs::remove(file);
+    }
   }
   CHECK(run({"diff", "-r", place / "whole", place / "parts"}).out == "");
 }
