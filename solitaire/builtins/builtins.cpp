@@ -329,7 +329,8 @@ Value without_first(Evaluator& evaluator, const Value& list, Span span) {
 Value cdr(Evaluator& evaluator, Call call) {
   return evaluator.with_list(call.arguments[0], "cdr", argument_span(call, 0), [&](const Value& list) {
     evaluator.element(list, std::int64_t{0}, call.site.span);  // it has one
-    return without_first(evaluator, packed(evaluator.graph(), list), call.site.span);
+    const Value items = list.is<ChosenList>() ? packed(evaluator.graph(), list) : list;
+    return without_first(evaluator, items, call.site.span);
   });
 }
 
