@@ -10,7 +10,7 @@
 #include <vector>
 #include <xbyak/xbyak.h>
 
-#include "kernel/helpers.h"
+#include "kernel/called_operations.h"
 #include "tracegraph/special_functions.h"
 
 namespace solitaire {
@@ -270,9 +270,9 @@ class Writer : public Xbyak::CodeGenerator {
       case Op::kIteFloat:
         return select(r, a, b, c);
       case Op::kDiv:
-        return call_of_ints(floor_divide, r, a, b);
+        return call_of_ints(quotient_of, r, a, b);
       case Op::kMod:
-        return call_of_ints(floor_modulo, r, a, b);
+        return call_of_ints(rest_of, r, a, b);
       case Op::kNeg:
         return negate_int(r, a);
       case Op::kMin:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/helpers.h"
+#include "kernel/called_operations.h"
 #include "tracegraph/special_functions.h"
 
 namespace solitaire {
@@ -57,10 +57,10 @@ bool run(std::span<const Instruction> code, Scalar* cells) {
         r.i = wrapping(bits(a.i) * bits(b.i));
         break;
       case Op::kDiv:
-        r.i = floor_divide(a.i, b.i);
+        r.i = quotient_of(a.i, b.i);
         break;
       case Op::kMod:
-        r.i = floor_modulo(a.i, b.i);
+        r.i = rest_of(a.i, b.i);
         break;
       case Op::kNeg:
         r.i = -a.i;

@@ -3,6 +3,8 @@
 #include <array>
 #include <bit>
 
+#include "base/floor_division.h"
+
 namespace solitaire {
 namespace {
 
@@ -13,11 +15,6 @@ std::int64_t saturate(Wide value) {
 }
 
 Interval saturate(Wide lo, Wide hi) { return {saturate(lo), saturate(hi)}; }
-
-std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
-  const std::int64_t quotient = a / b;
-  return (a % b != 0 && (a < 0) != (b < 0)) ? quotient - 1 : quotient;
-}
 
 /// Quotients by a divisor of one sign are monotone in both operands, so the corners bound them.
 Interval divide_by_one_sign(Interval a, Interval b) {

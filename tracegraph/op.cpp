@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/floor_division.h"
 #include "tracegraph/special_functions.h"
 
 namespace solitaire {
@@ -22,13 +23,12 @@ Folded multiply_exactly(std::int64_t a, std::int64_t b) {
 
 Folded floor_quotient(std::int64_t a, std::int64_t b) {
   if (b == 0) return std::nullopt;
-  return Scalar::of(a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0));
+  return Scalar::of(floor_divide(a, b));
 }
 
-Folded floor_modulo(std::int64_t a, std::int64_t b) {
+Folded floor_rest(std::int64_t a, std::int64_t b) {
   if (b == 0) return std::nullopt;
-  const std::int64_t remainder = a % b;
-  return Scalar::of((remainder != 0 && (a < 0) != (b < 0)) ? remainder + b : remainder);
+  return Scalar::of(floor_modulo(a, b));
 }
 
 /// Past 2^53 a double no longer tells neighbouring ints apart.
@@ -107,7 +107,7 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kSub, "sub", "-", 2, kI, kI, [](S a) { return exact(a[0].i - a[1].i); }, [](I a) { return subtract(a[0], a[1]); }},
     {Op::kMul, "mul", "*", 2, kI, kI, [](S a) { return multiply_exactly(a[0].i, a[1].i); }, [](I a) { return multiply(a[0], a[1]); }, kCommutative},
     {Op::kDiv, "div", "/", 2, kI, kI, [](S a) { return floor_quotient(a[0].i, a[1].i); }, [](I a) { return divide(a[0], a[1]); }},
-    {Op::kMod, "mod", "%", 2, kI, kI, [](S a) { return floor_modulo(a[0].i, a[1].i); }, [](I a) { return modulo(a[0], a[1]); }},
+    {Op::kMod, "mod", "%", 2, kI, kI, [](S a) { return floor_rest(a[0].i, a[1].i); }, [](I a) { return modulo(a[0], a[1]); }},
     {Op::kNeg, "neg", "-", 1, kI, kI, [](S a) -> Folded { return Scalar::of(-a[0].i); }, [](I a) { return negate(a[0]); }},
     {Op::kMin, "min", "", 2, kI, kI, [](S a) -> Folded { return Scalar::of(std::min(a[0].i, a[1].i)); }, [](I a) { return minimum(a[0], a[1]); }, kCommutative},
     {Op::kMax, "max", "", 2, kI, kI, [](S a) -> Folded { return Scalar::of(std::max(a[0].i, a[1].i)); }, [](I a) { return maximum(a[0], a[1]); }, kCommutative},

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "base/floor_division.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
@@ -15,10 +16,6 @@ constexpr std::int64_t kLargest = std::int64_t{1} << 30;
 bool is_small(std::int64_t number) { return -kLargest <= number && number <= kLargest; }
 
 bool is_small(Interval range) { return is_small(range.lo) && is_small(range.hi); }
-
-std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
-  return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
-}
 
 /// The least that a term can come to.
 std::int64_t least(const LinearTerm& term, Interval range) {

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <memory>
 
+#include "base/floor_division.h"
+
 namespace solitaire {
 namespace {
-
-std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && a < 0 ? 1 : 0); }
 
 /// Makes an int that can have these sorted values. `at_least` gives the literal for each of them, and is
 /// called in their order. A value that turns out to be impossible, since its literal equals that of the next

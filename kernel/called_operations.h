@@ -1,23 +1,17 @@
 #pragma once
 #include <cmath>
 
+#include "base/floor_division.h"
 #include "tracegraph/scalar.h"
 
 // What both machines of the kernel call for operations that are no instruction of a processor.
 
 namespace solitaire {
 
-/// The quotient is rounded down; of a division by 0 it is 0, and so is the rest.
-inline std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
-  if (b == 0) return 0;
-  return a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0);
-}
-
-inline std::int64_t floor_modulo(std::int64_t a, std::int64_t b) {
-  if (b == 0) return 0;
-  const std::int64_t rest = a % b;
-  return (rest != 0 && (a < 0) != (b < 0)) ? rest + b : rest;
-}
+/// The quotient, rounded down, and the rest; of a division by 0, which a guard keeps from being looked at,
+/// both are 0.
+inline std::int64_t quotient_of(std::int64_t a, std::int64_t b) { return b == 0 ? 0 : floor_divide(a, b); }
+inline std::int64_t rest_of(std::int64_t a, std::int64_t b) { return b == 0 ? 0 : floor_modulo(a, b); }
 
 /// Returns false, and gives 0, where the int would be past 2^53.
 inline bool floor_into(double value, Scalar* result) {
