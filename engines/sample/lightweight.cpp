@@ -6,11 +6,12 @@
 namespace solitaire {
 
 LightweightChain::LightweightChain(const Program& program, const ParamValues& params, const Limits& limits,
-                                   std::uint64_t seed, std::uint64_t number)
+                                   std::uint64_t seed, std::uint64_t number, Restarts restarts)
     : stream_(seed, Purpose::kChain, number),
       rerun_(program, params, limits, stream_),
       proposer_(stream_),
-      state_(rerun_.start()) {
+      state_(rerun_.start()),
+      restarts_(restarts) {
   rerun_.stand_at(state_);
 }
 

@@ -13,7 +13,7 @@ class LightweightChain : public Chain {
   /// The program and the params have to outlive the chain. Throws ProgramError if no possible execution is
   /// drawn to start with.
   LightweightChain(const Program& program, const ParamValues& params, const Limits& limits,
-                   std::uint64_t seed, std::uint64_t number);
+                   std::uint64_t seed, std::uint64_t number, Restarts restarts = Restarts());
 
   void sweep() override;
   void end_warmup() override;

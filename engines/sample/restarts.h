@@ -8,6 +8,7 @@ namespace solitaire {
 /// hardly any is ever taken, so they are tried for a while of the warm-up, and kept if a few of them are.
 class Restarts {
  public:
+  explicit Restarts(bool wanted = true) : wanted_(wanted), decided_(!wanted) {}
   bool wanted() const { return wanted_; }
   void told(bool accepted) {
     ++tried_;
@@ -30,8 +31,8 @@ class Restarts {
     wanted_ = accepted_ >= kEnough;
   }
 
-  bool wanted_ = true;
-  bool decided_ = false;
+  bool wanted_;
+  bool decided_;
   std::uint32_t tried_ = 0;
   std::uint32_t accepted_ = 0;
 };

@@ -16,8 +16,10 @@ namespace {
 std::unique_ptr<Chain> make_chain(const ChainProgram& own, const SamplingOptions& options,
                                   std::size_t number) {
   if (options.engine == SamplingOptions::Engine::kShred)
-    return std::make_unique<ShredChain>(*own.program, *own.params, options.limits, options.seed, number);
-  return std::make_unique<LightweightChain>(*own.program, *own.params, options.limits, options.seed, number);
+    return std::make_unique<ShredChain>(*own.program, *own.params, options.limits, options.seed, number,
+                                        Restarts(options.restarts));
+  return std::make_unique<LightweightChain>(*own.program, *own.params, options.limits, options.seed, number,
+                                            Restarts(options.restarts));
 }
 
 /// One chain from its start to its last draw.

@@ -24,6 +24,9 @@ struct SamplingOptions {
   std::uint64_t draws = 1000;   // that are kept of each chain
   std::uint64_t warmup = 1000;  // draws of each chain before these, which are thrown away
   std::uint64_t thin = 1;       // sweeps from one draw to the next
+  /// Whether executions all of whose choices are drawn anew are proposed, too. Tests leave them out to see
+  /// what the other moves do: they alone make draws of programs that observe nothing independent.
+  bool restarts = true;
   Limits limits;
 };
 

@@ -11,7 +11,7 @@
 namespace solitaire {
 
 ShredChain::ShredChain(const Program& program, const ParamValues& params, const Limits& limits,
-                       std::uint64_t seed, std::uint64_t number)
+                       std::uint64_t seed, std::uint64_t number, Restarts restarts)
     : program_(program),
       params_(params),
       limits_(limits),
@@ -19,7 +19,8 @@ ShredChain::ShredChain(const Program& program, const ParamValues& params, const 
       stream_(seed, Purpose::kChain, number),
       rerun_(program, params, limits, stream_),
       proposer_(stream_),
-      state_(rerun_.start()) {
+      state_(rerun_.start()),
+      restarts_(restarts) {
   enter();
 }
 

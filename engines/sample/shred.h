@@ -25,7 +25,7 @@ class ShredChain : public Chain {
  public:
   /// As of LightweightChain.
   ShredChain(const Program& program, const ParamValues& params, const Limits& limits, std::uint64_t seed,
-             std::uint64_t number);
+             std::uint64_t number, Restarts restarts = Restarts());
 
   void sweep() override;
   void end_warmup() override;

@@ -15,6 +15,8 @@ namespace {
 
 using Engine = SamplingOptions::Engine;
 
+/// Programs that changes of one choice, or of floats together, lead through soon. Executions that are drawn
+/// anew are left out: they alone would make each draw right, whatever the other moves do.
 constexpr const char* kJoint[] = {
     "m = normal(1, 2); t = gamma(3, 2); y = [normal(m, precision: t) for i in 1..3]; return m, log(t), "
     "sum(y);",
@@ -23,13 +25,20 @@ constexpr const char* kJoint[] = {
     "w = dirichlet([1, 2, 0.5]); k = [categorical(w) for i in 1..3]; return w[0], w[2], k[0] + k[1] * k[2];",
     "n = range(1, 4); s = exponential(1); xs = [normal(i, s) for i in 1..n]; return n, min(s, 3), "
     "sin(sum(xs));",
-    "g = geometric(0.4); u = uniform(g, g + 1); a = if u > 1.5 then normal(u, 1) else -exponential(u + 0.1);"
+    "g = geometric(0.4); u = uniform(0, g + 1); a = if u > 0.7 then normal(u, 1) else -exponential(u + 0.1);"
     "return min(g, 5), sin(u), cos(a);",
-    // Floats that hang together, so that they also walk together.
+};
+
+/// Floats that hang together, so that they also walk together.
+constexpr const char* kTogether =
     "a = normal(1, 2); b = normal(a, 0.3); g = gamma(2, 1); h = exponential(g); y = normal(b, h); p = "
     "beta(2, 2);"
-    "return a, b - a, log(g), min(h, 3), p;",
-};
+    "return a, b - a, log(g), min(h, 3), p;";
+
+/// Changes of one choice do not lead from one g to another.
+constexpr const char* kDisconnected =
+    "g = geometric(0.4); u = uniform(g, g + 1); a = if u > 1.5 then normal(u, 1) else -exponential(u + 0.1);"
+    "return min(g, 5), sin(u), cos(a);";
 
 class PriorChoices : public Choices {
  public:
@@ -68,7 +77,7 @@ void check_equal_means(const std::vector<double>& a, const std::vector<double>& 
   CHECK(std::abs(z) < 4);
 }
 
-void check_joint(const char* text, Engine engine, std::uint64_t draws) {
+void check_joint(const char* text, Engine engine, std::uint64_t draws, bool restarts) {
   INFO(text);
   const Program program = sampled_program(text);
   const ParamValues params;
@@ -77,6 +86,7 @@ void check_joint(const char* text, Engine engine, std::uint64_t draws) {
   options.seed = 2;
   options.warmup = 300;
   options.draws = draws;
+  options.restarts = restarts;
   const DrawTable chain = run_chains({{&program, &params}}, options, 1, {[] {}})[0].draws;
   const DrawTable prior = independent_draws(program, 3000);
   for (const std::string& name : prior.names()) {
@@ -90,11 +100,15 @@ void check_joint(const char* text, Engine engine, std::uint64_t draws) {
 }
 
 TEST_CASE("chains over parameters and data come back to the prior, on traces") {
-  for (const char* text : kJoint) check_joint(text, Engine::kShred, 8000);
+  for (const char* text : kJoint) check_joint(text, Engine::kShred, 8000, false);
+  check_joint(kTogether, Engine::kShred, 20'000, false);
+  check_joint(kDisconnected, Engine::kShred, 8000, true);
 }
 
 TEST_CASE("chains over parameters and data come back to the prior, with the lightweight engine") {
-  for (const char* text : kJoint) check_joint(text, Engine::kLightweight, 3000);
+  for (const char* text : kJoint) check_joint(text, Engine::kLightweight, 3000, false);
+  check_joint(kTogether, Engine::kLightweight, 3000, true);
+  check_joint(kDisconnected, Engine::kLightweight, 3000, true);
 }
 
 }  // namespace
