@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <fmt/format.h>
+#include <optional>
+#include <string>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -70,11 +73,28 @@ std::string stem(const TilesOptions& options) {
   return file.substr(0, file.find('.'));
 }
 
+/// How a map looks: as a picture (.png), and as a scene where that was asked for or it has models or layers.
+struct Look {
+  std::string png;
+  std::optional<Scene> scene;
+};
+
+Look look_of(const tiles::Job& job, const Options& options, const std::string& name) {
+  Look look{job.file("png", options.tiles->pixels, options.output), std::nullopt};
+  const bool is_asked_for = std::ranges::count(options.tiles->formats, "glb") > 0;
+  const auto has_shape = [](const tiles::ShownTile& tile) { return !tile.asset.empty() || tile.at[2] > 0; };
+  if (is_asked_for || std::ranges::any_of(job.shown_tiles(), has_shape))
+    look.scene = tiles_scene(job, name, fs::path(options.tiles->job.inputs.front()).parent_path());
+  return look;
+}
+
 /// Writes the map that is delivered, in the format that the file's name says.
-void write_map(const tiles::Job& job, const Options& options, const std::string& name, const fs::path& file) {
+void write_map(const tiles::Job& job, const Options& options, const Look& look, const fs::path& file) {
   const std::string format = file.extension().string().substr(1);
   if (format == "glb") {
-    write_glb(tiles_scene(job, name, fs::path(options.tiles->job.inputs.front()).parent_path()), file);
+    write_glb(*look.scene, file);
+  } else if (format == "png") {
+    write_file_atomically(file, look.png);
   } else {
     write_file_atomically(file, job.file(format, options.tiles->pixels, options.output));
   }
@@ -106,11 +126,11 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
   std::uint64_t delivered = 0;
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
-    for (const std::string& format : options.tiles->formats) {
-      const std::string name = fmt::format("{}-{:04}", stem(*options.tiles), number);
-      write_map(job, options, name, options.output / fmt::format("{}.{}", name, format));
-    }
-    page.add(job, number);
+    const std::string name = fmt::format("{}-{:04}", stem(*options.tiles), number);
+    const Look look = look_of(job, options, name);
+    for (const std::string& format : options.tiles->formats)
+      write_map(job, options, look, options.output / fmt::format("{}.{}", name, format));
+    page.add(job, number, look.png, look.scene ? &*look.scene : nullptr);
     delivered = number;
   });
   const auto lock = watchdog.delivering();

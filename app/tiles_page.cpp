@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string_view>
 
 #include "app/tiles_options.h"
-#include "app/tiles_scene.h"
 #include "base/installation.h"
 #include "scene/atomic_file.h"
 #include "scene/gltf/writer.h"
@@ -57,30 +55,23 @@ Json choices_of(const std::vector<tiles::ShownTile>& tiles) {
   return choices;
 }
 
-bool has_shape(const tiles::ShownTile& tile) { return !tile.asset.empty() || tile.at[2] > 0; }
-
 }  // namespace
 
 TilesPage::TilesPage(const Options& options, std::string stem)
     : options_(options), stem_(std::move(stem)), page_(options.output, find_data_folder() / "page") {}
 
-void TilesPage::add(const tiles::Job& job, std::uint64_t number) {
+void TilesPage::add(const tiles::Job& job, std::uint64_t number, const std::string& png, const Scene* scene) {
   GalleryEntry entry;
   entry.index = number;
   entry.name = fmt::format("{}-{:04}", stem_, number);
-  const std::string png = job.file("png", options_.tiles->pixels, options_.output);
   entry.picture = has_format("png") ? entry.name + ".png" : fmt::format("page/{}.png", entry.name);
   entry.has_sharp_pixels = true;
   entry.glb = file_of(entry.name, "glb");
   entry.json = file_of(entry.name, "json");
   const std::vector<tiles::ShownTile> tiles = job.shown_tiles();
-  std::optional<Scene> scene;
-  if (has_format("glb") || std::ranges::any_of(tiles, has_shape))
-    scene =
-        tiles_scene(job, entry.name, std::filesystem::path(options_.tiles->job.inputs.front()).parent_path());
   const Json about{{"views", {drawing_of(entry.picture, png)}}, {"choices", choices_of(tiles)}};
   const SolutionFiles files =
-      page_.add(entry.name, scene ? &*scene : nullptr, scene ? glb_bytes(*scene) : "", text_of(about));
+      page_.add(entry.name, scene, scene != nullptr ? glb_bytes(*scene) : "", text_of(about));
   if (!has_format("png")) write_file_atomically(options_.output / entry.picture, png);
   if (tiles.size() <= kMostCompared) entry.choices = tiles.size();
   entry.facts = text_of({{"index", number}, {"script", files.script}});
