@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <random>
 
+#include "tests/all_values.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
 #include "tracegraph/assignment.h"
@@ -36,22 +37,6 @@ struct Layout {
   AddressTable addresses;
   std::vector<NodeId> conditions;
 };
-
-/// Returns true if some values of the choices fulfil all of the conditions.
-bool can_hold(const Graph& graph, const std::vector<NodeId>& conditions) {
-  std::vector<std::int64_t> values;
-  for (const ChoiceVariable& variable : graph.variables()) values.push_back(variable.domain.lo);
-  while (true) {
-    Assignment assignment(graph, [&](std::size_t number) { return Scalar::of(values[number]); });
-    if (std::ranges::all_of(conditions, [&](NodeId condition) { return assignment.holds(condition); }))
-      return true;
-    std::size_t at = 0;
-    while (at < values.size() && values[at] == graph.variables()[at].domain.hi)
-      values[at] = graph.variables()[at].domain.lo, ++at;
-    if (at == values.size()) return false;
-    ++values[at];
-  }
-}
 
 struct Box {
   NodeId x, y;
@@ -96,7 +81,7 @@ TEST_CASE("over-full: more ints that differ than there are values") {
   CHECK(found[0].things == 11);
   CHECK(found[0].needed == 11);
   CHECK(found[0].available == 10);
-  CHECK(!found[0].is_area);
+  CHECK(found[0].measure == OverFull::Measure::kLength);
   CHECK(found[0].conditions.size() == 55);
 }
 
@@ -121,7 +106,7 @@ TEST_CASE("over-full: the areas of boxes are more than that of their room") {
   CHECK(found[0].things == 17);
   CHECK(found[0].needed == 68);
   CHECK(found[0].available == 64);
-  CHECK(found[0].is_area);
+  CHECK(found[0].measure == OverFull::Measure::kArea);
 }
 
 TEST_CASE("over-full: a room that conditions make small") {

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <random>
 
+#include "tests/all_values.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
 #include "tracegraph/assignment.h"
@@ -38,22 +39,6 @@ struct Sums {
   AddressTable addresses;
   std::vector<NodeId> conditions;
 };
-
-/// Returns true if some values of the choices fulfil all of the conditions.
-bool some_values_fulfil(const Graph& graph, const std::vector<NodeId>& conditions) {
-  std::vector<std::int64_t> values;
-  for (const ChoiceVariable& variable : graph.variables()) values.push_back(variable.domain.lo);
-  while (true) {
-    Assignment assignment(graph, [&](std::size_t number) { return Scalar::of(values[number]); });
-    if (std::ranges::all_of(conditions, [&](NodeId condition) { return assignment.holds(condition); }))
-      return true;
-    std::size_t at = 0;
-    while (at < values.size() && values[at] == graph.variables()[at].domain.hi)
-      values[at] = graph.variables()[at].domain.lo, ++at;
-    if (at == values.size()) return false;
-    ++values[at];
-  }
-}
 
 /// `guests` sit in one of `seats` each, written as a sum for each guest and for each seat.
 Sums seats_by_sums(std::size_t guests, std::int64_t seats) {
@@ -106,7 +91,7 @@ TEST_CASE("sum conflict: a roster that asks for more turns than there are") {
     const std::optional<OverFull> found = roster.found();
     REQUIRE(found.has_value() == (asked == 5));
     if (!found) continue;
-    CHECK(found->is_sum);
+    CHECK(found->measure == OverFull::Measure::kSum);
     CHECK(found->needed == 35);
     CHECK(found->available == 32);
     CHECK(found->conditions.size() == 15);
@@ -131,7 +116,7 @@ TEST_CASE("sum conflict: what items weigh together is more than the boxes in use
   CHECK(found->needed == 20);
   CHECK(found->available == 18);
   CHECK(found->conditions.size() == 2 + 4 + 1);  // two boxes, each item's box, and how many are used
-  CHECK(!some_values_fulfil(full.graph, found->conditions));
+  CHECK(!can_hold(full.graph, found->conditions));
 }
 
 TEST_CASE("sum conflict: what is found can never hold, and that is often") {
@@ -166,7 +151,7 @@ TEST_CASE("sum conflict: what is found can never hold, and that is often") {
     if (!found) continue;
     ++conflicts;
     CHECK(found->needed > found->available);
-    REQUIRE(!some_values_fulfil(sums.graph, found->conditions));
+    REQUIRE(!can_hold(sums.graph, found->conditions));
   }
   CHECK(conflicts > 40);
 }

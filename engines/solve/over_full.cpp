@@ -200,7 +200,8 @@ class Rooms {
 
   /// Takes as many of the things that lie within the window as are too many for it.
   std::optional<OverFull> over_full(const Window& window) {
-    OverFull found{{}, 0, 0, size(window), window.size() == 2};
+    OverFull found{
+        {}, 0, 0, size(window), window.size() == 2 ? OverFull::Measure::kArea : OverFull::Measure::kLength};
     std::vector<std::size_t> members;
     for (std::size_t i = 0; i < group_.size() && found.needed <= found.available; ++i) {
       if (!within(spans_[i], window)) continue;

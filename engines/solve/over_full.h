@@ -9,12 +9,16 @@ namespace solitaire {
 
 /// Things that need more room than there is.
 struct OverFull {
+  enum class Measure : std::uint8_t {
+    kLength,
+    kArea,
+    kSum,  // sums ask for so much, and allow so much, see sum_conflict.h
+  };
   std::vector<NodeId> conditions;  // that cannot hold together, for this reason
   std::size_t things = 0;          // so many need the room
   std::int64_t needed = 0;         // the sum of their lengths, or of their areas
   std::int64_t available = 0;      // the length or area within which all of them lie
-  bool is_area = false;
-  bool is_sum = false;  // sums ask for so much, and allow so much, see sum_conflict.h
+  Measure measure = Measure::kLength;
 };
 
 /// Looks in conditions for things that pairwise do not overlap, and returns groups of them that need more

@@ -105,7 +105,7 @@ class Total {
       because.insert(because.end(), end.begin(), end.end());
     }
     if (needed_ <= available_) return std::nullopt;
-    return OverFull{nodes_of(graph, because), used_.size(), needed_, available_, false, true};
+    return OverFull{nodes_of(graph, because), used_.size(), needed_, available_, OverFull::Measure::kSum};
   }
 
  private:
