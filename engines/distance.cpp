@@ -59,12 +59,20 @@ Features result_features(const Solution& solution) {
   return features;
 }
 
-void MeanDistance::add(const Features& features) {
-  pairs_.all += names_ + count_ * features.size();
+std::vector<HashedFeature> hashed(const Features& features) {
+  std::vector<HashedFeature> hashes;
+  hashes.reserve(features.size());
   for (const auto& [name, value] : features) {
     const std::uint64_t named = std::hash<std::string>{}(name);
-    const std::uint64_t valued = mix(named, std::hash<std::string>{}(value));
-    pairs_.all -= with_name_[named]++;  // names of both count once
+    hashes.push_back({named, mix(named, std::hash<std::string>{}(value))});
+  }
+  return hashes;
+}
+
+void MeanDistance::add(const Features& features) {
+  pairs_.all += names_ + count_ * features.size();
+  for (const auto& [name, valued] : hashed(features)) {
+    pairs_.all -= with_name_[name]++;  // names of both count once
     pairs_.shared += with_value_[valued]++;
   }
   names_ += features.size();
@@ -74,9 +82,9 @@ void MeanDistance::add(const Features& features) {
 void NearestPair::add(const Features& features) {
   if (gave_up_) return;
   Hashed added;
-  for (const auto& [name, value] : features) {
-    added.names.push_back(std::hash<std::string>{}(name));
-    added.values.push_back(mix(added.names.back(), std::hash<std::string>{}(value)));
+  for (const auto& [name, valued] : hashed(features)) {
+    added.names.push_back(name);
+    added.values.push_back(valued);
   }
   std::ranges::sort(added.names);
   std::ranges::sort(added.values);

@@ -52,6 +52,12 @@ Features choice_features(const ChosenValues& choices);
 /// so is an empty list or record; but to return nothing is to have none.
 Features result_features(const Solution& solution);
 
+/// A name and its value, as hashes: that of the name, and that of both.
+struct HashedFeature {
+  std::uint64_t name, valued;
+};
+std::vector<HashedFeature> hashed(const Features& features);
+
 /// The mean distance of all pairs out of a set: 1 - (sum of Overlap::shared) / (sum of Overlap::all), so that
 /// a pair counts by how many names it has. Where all have the same names, that is the plain mean. It depends
 /// on the set alone, and not on the order in which it came.

@@ -1,6 +1,8 @@
 #include "engines/solve/seen.h"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_set>
 
 #include "engines/distinct.h"
 #include "solitaire/value/chosen_list.h"
@@ -74,9 +76,12 @@ class Difference {
   }
 
   bool is_met(NodeId variable) {
-    return std::ranges::any_of(trace_.choices, [&](const TraceChoice& choice) {
-      return choice.variable == variable && assignment_.holds(choice.guard);
-    });
+    if (!met_) {
+      met_.emplace();
+      for (const TraceChoice& choice : trace_.choices)
+        if (assignment_.holds(choice.guard)) met_->insert(choice.variable);
+    }
+    return met_->contains(variable);
   }
 
   void other(NodeId node) {
@@ -88,6 +93,8 @@ class Difference {
   Graph& graph_;
   const Trace& trace_;
   Assignment& assignment_;
+  std::optional<std::unordered_set<NodeId>>
+      met_;  // the variables of the choices that are met, once asked for
   std::vector<NodeId> conditions_;
 };
 

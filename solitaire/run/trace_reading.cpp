@@ -78,6 +78,11 @@ std::optional<Value> element_under(Assignment& assignment, const Value& list, st
   }
   if (!list.is_list()) return Value();
   const Elements elements(list);
+  if (elements.packed()) {
+    const auto at = static_cast<std::size_t>(position);
+    const bool has_it = at < elements.size() && assignment.holds(elements.guard(at));
+    return has_it ? value_under(assignment, elements.value(at)) : Value();
+  }
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (assignment.holds(elements.guard(i)) && position-- == 0)
       return value_under(assignment, elements.value(i));
