@@ -80,8 +80,7 @@ solitaire::Diagnostic diagnostic_of(const solitaire::Condition& condition, const
   if (!named && tells_something(address)) diagnostic.notes.push_back("at " + address);
   if (!condition.turn.empty()) diagnostic.notes.push_back("where " + condition.turn);
   if (!condition.message.empty()) diagnostic.notes.push_back("message: " + condition.message);
-  const bool compares = message.find("==") != std::string::npos;
-  if (condition.never && condition.pin == nullptr && compares)
+  if (condition.unlike)
     diagnostic.notes.push_back(
         "whatever is chosen, this fails: values of different kinds, such as an int and a bool, are never "
         "equal");
@@ -160,12 +159,12 @@ constexpr std::size_t kMostPlain = 6;
 std::string reason_of(const solitaire::Conflict& conflict) {
   if (!conflict.room) return "";
   const OverFull& room = *conflict.room;
-  if (room.is_area) {
+  if (room.measure == OverFull::Measure::kArea) {
     return fmt::format("{} things that do not overlap need an area of {}, and lie within one of {}",
                        room.things, room.needed, room.available);
   }
-  if (room.is_sum && conflict.members.size() <= kMostPlain) return "";
-  if (room.is_sum) {
+  if (room.measure == OverFull::Measure::kSum) {
+    if (conflict.members.size() <= kMostPlain) return "";
     return fmt::format("added up, these conditions ask for {} at least, and allow {} at most", room.needed,
                        room.available);
   }

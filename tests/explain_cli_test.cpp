@@ -450,6 +450,8 @@ TEST_CASE("cli: an int that is compared with a bool is told of") {
             "  note: whatever is chosen, this fails: values of different kinds, such as an int and a bool, "
             "are never "
             "equal\n"));
+  const std::string alike = place.file("lengths.sol", "xs = [1, 2];\nassert(length(xs) == 3);\n");
+  CHECK(!has(run_solitaire({"explain", alike}).out, "different kinds"));
 }
 
 TEST_CASE("cli: members of many turns are told once, with the loops' variables") {

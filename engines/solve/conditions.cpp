@@ -46,7 +46,7 @@ std::vector<TracedCondition> conditions_of(Graph& graph, const SymbolicPass& pas
     Condition condition{each.requirement, each.address, each.span, each.whole,
                         each.message,     each.turn,    nullptr,   {}};
     if (is_end(each.requirement) && is_fixed(graph, each.node)) condition.domain = domains[each.address];
-    condition.never = each.node == kFalse;
+    condition.unlike = each.node == kFalse && pass.unlike.contains(each.span);
     add(std::move(condition), each.guard, graph.implication(each.guard, each.node));
   }
   for (const PinnedChoice& pinned : pinned_choices(graph, pass, pins))

@@ -22,7 +22,7 @@ struct Condition {
   std::optional<Distribution> domain;  // the choice's; for pins, and for ends that depend on no choice
   std::string pinned = "";             // of a pin: what it is about, as pinned_text() says
   std::string possible = "";           // of a pin that no value of the choice fulfils: which there are
-  bool never = false;  // of an assert that fails in every execution that comes to it, whatever is chosen
+  bool unlike = false;  // of an assert that compares values of different kinds, and so never holds
 
   /// Two conditions are equal if they are the same one in every pass, whatever is known about them.
   friend bool operator==(const Condition& a, const Condition& b) { return a.key() == b.key(); }

@@ -86,6 +86,7 @@ class Constraints::Apart : public Effects {
   std::optional<double> unit() const override { return outer_.unit(); }
   void print(std::span<const Value> arguments) override { outer_.print(arguments); }
   void needs_execution() override { outer_.needs_execution(); }
+  void compared_unlike(Span span) override { outer_.compared_unlike(span); }
   void followed(const Value& condition, Span span) override { outer_.followed(condition, span); }
   void blocked(const BranchSide& side, Span span) override { outer_.blocked(side, span); }
   void program_error(const Diagnostic&, AddressId) override {}

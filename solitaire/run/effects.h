@@ -47,6 +47,8 @@ class Effects {
   virtual void print(std::span<const Value> arguments) = 0;
   /// Only an execution shows what happens here.
   virtual void needs_execution() {}
+  /// Values of different kinds were compared for equality, which they never have.
+  virtual void compared_unlike(Span) {}
   /// A branch was taken because of a traced condition.
   virtual void followed(const Value& condition, Span span) = 0;
   /// The path ends since that side is closed.

@@ -43,6 +43,13 @@ static_assert(std::size(kMeanings) == static_cast<std::size_t>(BinaryOp::kGreate
 
 const BinaryMeaning& meaning_of(BinaryOp op) { return kMeanings[static_cast<std::size_t>(op)]; }
 
+/// Returns true if two values that are not both numbers or both bools are of one kind.
+bool are_alike(const Value& a, const Value& b) {
+  if (a.is<Symbol>() || b.is<Symbol>()) return false;
+  return a.kind() == b.kind() || (is_one_string(a) && is_one_string(b)) ||
+         (a.is_function() && b.is_function());
+}
+
 bool constant(const Value& value) { return !value.is<Symbol>(); }
 bool is_scalar(const Value& value) { return value.has_type(Type::kBool) || value.is_number(); }
 
@@ -325,6 +332,7 @@ Value Operators::equal_shaped(const Value& a, const Value& b, Span span) {
     check_known(a);
     check_known(b);
   }
+  if (!are_alike(a, b)) effects_->compared_unlike(span);
   return same(a, b);
 }
 

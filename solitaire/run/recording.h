@@ -78,6 +78,7 @@ class SymbolicEffects : public Effects {
   std::optional<double> unit() const override;
   void print(std::span<const Value>) override {}
   void needs_execution() override { pass_.complete = false; }
+  void compared_unlike(Span span) override { pass_.unlike.insert(span); }
   void followed(const Value&, Span) override {}
   void blocked(const BranchSide& side, Span span) override;
   void program_error(const Diagnostic& diagnostic, AddressId address) override;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -25,9 +26,10 @@ struct SymbolicPass {
   Value value;                                // of the program, where some path came to its end; else Unset
   std::vector<SymbolicPlacement> placements;  // as numbered by Trace::placed
   std::vector<Value> lists;                   // that were chosen from, as numbered by Trace::choices
-  std::vector<CallRecord> calls;              // on the way to placements
-  double unit = 1;                            // metres in one unit of the program
-  bool unit_is_open = false;                  // choices decide about it
+  std::set<Span> unlike;          // the places that compare values of different kinds for equality
+  std::vector<CallRecord> calls;  // on the way to placements
+  double unit = 1;                // metres in one unit of the program
+  bool unit_is_open = false;      // choices decide about it
   /// False if some of what an execution does shows only when it is run.
   bool complete = true;
   bool has_output = false;  // the program has an output, of which the pass says nothing
