@@ -34,6 +34,18 @@ Box3 bounds(const PlacedBox& box) {
           {box.center[0] + x, box.center[1] + y, box.top()}};
 }
 
+Box3 bounds(const Scene& scene) {
+  Box3 all;
+  for (const SceneObject& object : scene.objects) {
+    const Box3 box = bounds(object.box);
+    all.include(box.low);
+    all.include(box.high);
+  }
+  return all;
+}
+
+bool has_own_mesh(const SceneObject& object) { return !object.openings.empty() || !object.outline.empty(); }
+
 bool is_wall(const SceneObject& object) {
   if (!object.outline.empty()) return false;
   if (object.asset) return object.asset->role == Asset::Role::kWall;

@@ -59,6 +59,11 @@ Quaternion orientation(const PlacedBox& box, double turn = 0);
 
 /// Returns the least box along the program's axes that holds this one.
 Box3 bounds(const PlacedBox& box);
+/// Returns that of all objects together; empty without any.
+Box3 bounds(const Scene& scene);
+
+/// Returns true for an object whose mesh no other one can have: a wall with openings, or an outline.
+bool has_own_mesh(const SceneObject& object);
 
 /// Returns true for a wall, which doors and windows open: an asset that says so, or a plain box that has
 /// "wall" as a word of its name.

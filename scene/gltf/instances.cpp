@@ -19,8 +19,7 @@ namespace {
 using Look = std::pair<const Asset*, std::string>;
 
 bool has_shared_mesh(const SceneObject& object) {
-  return object.openings.empty() && object.outline.empty() &&
-         (object.asset == nullptr || object.asset->model->is_single_mesh());
+  return !has_own_mesh(object) && (object.asset == nullptr || object.asset->model->is_single_mesh());
 }
 
 template <std::size_t N>

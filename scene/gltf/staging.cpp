@@ -73,12 +73,7 @@ tinygltf::Node sun_node(tinygltf::Model& model) {
 
 /// Returns a plain ground, a little below what stands lowest, that reaches past the scene by half its width.
 tinygltf::Node ground_node(tinygltf::Model& model, const Scene& scene) {
-  Box3 all;
-  for (const SceneObject& object : scene.objects) {
-    const Box3 box = bounds(object.box);
-    all.include(box.low);
-    all.include(box.high);
-  }
+  const Box3 all = bounds(scene);
   const Vec3 size = all.size();
   const double margin = std::max(size[0], size[1]) / 2;
   const double height = all.low[2] - 2e-4 * std::hypot(size[0], size[1], size[2]);

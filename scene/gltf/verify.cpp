@@ -18,8 +18,6 @@
 namespace solitaire {
 namespace {
 
-bool shares_mesh(const SceneObject& object) { return object.openings.empty() && object.outline.empty(); }
-
 class Verifier {
  public:
   Verifier(const tinygltf::Model& model, const Scene& scene, Nodes nodes)
@@ -100,7 +98,7 @@ class Verifier {
 
   const Meshes& check_sharing(int index, const SceneObject& object, const std::string& name) {
     const auto [place, is_new] = looks_.try_emplace(Look{
-        object.asset, object.paint ? object.paint->text() : "", shares_mesh(object) ? nullptr : &object});
+        object.asset, object.paint ? object.paint->text() : "", has_own_mesh(object) ? &object : nullptr});
     Meshes& known = place->second;
     Meshes found;
     collect(index, found.indices);

@@ -46,12 +46,7 @@ RayScene::RayScene(TracedShapes& shapes, const Scene& scene, const std::vector<s
 }
 
 void RayScene::measure(const Scene& scene) {
-  Box3 all;  // in the program's axes
-  for (const SceneObject& object : scene.objects) {
-    const Box3 box = bounds(object.box);
-    all.include(box.low);
-    all.include(box.high);
-  }
+  const Box3 all = bounds(scene);  // in the program's axes
   if (all.empty()) return;
   middle_ = {(all.low[0] + all.high[0]) / 2, (all.low[2] + all.high[2]) / 2, -(all.low[1] + all.high[1]) / 2};
   const Vec3 size = all.size();
