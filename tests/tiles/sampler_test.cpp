@@ -48,6 +48,25 @@ TEST_CASE("whatever a sampler makes keeps all rules") {
   }
 }
 
+TEST_CASE("windows with too many ways to fill them are redrawn in parts") {
+  std::string exemplar;
+  RandomStream random(5, Purpose::kTiles, 0);
+  for (int row = 0; row < 60; ++row) {
+    for (int column = 0; column < 60; ++column) exemplar += static_cast<char>('a' + random.below(24));
+    exemplar += '\n';
+  }
+  Problem problem(style_of(exemplar), flat(8, 8));
+  // A rule about the whole map makes the windows boxes.
+  problem.add(std::make_shared<TileCount>(TileMask::of(0), 0, 40, "there are at most 40 of one"));
+  SamplerOptions options;
+  options.anneal = 0;
+  options.sweeps = 2;
+  const Sample made = sample(problem, options);
+  CHECK(made.windows > 0);
+  CHECK(made.left == 0);
+  CHECK(find_faults(problem, made.map).empty());
+}
+
 TEST_CASE("BlockSS fulfils its slice at once where it does not start anew") {
   const std::shared_ptr<Style> style = style_of(kStreets);
   add_step_shape(*style, {{2, 2, 1}}, 0.1);

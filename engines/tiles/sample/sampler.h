@@ -15,7 +15,7 @@ struct Sample {
   Grid map;
   std::uint64_t sweeps = 0;   // windows: of the map
   std::uint64_t windows = 0;  // windows that were redrawn, or steps of the other samplers
-  std::uint64_t left = 0;     // windows left as they were: too many states
+  std::uint64_t left = 0;     // sites left as they were: too many states even for one alone
   std::uint64_t refused = 0;  // windows put back: they would have broken a global rule
 };
 
