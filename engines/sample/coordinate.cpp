@@ -32,4 +32,18 @@ double log_derivative(Coordinate coordinate, double value) {
   return coordinate == Coordinate::kLog ? std::log(value) : std::log(value * (1 - value));
 }
 
+double usual_step(const Distribution& distribution) {
+  using Family = Distribution::Family;
+  switch (distribution.family) {
+    case Family::kUniform:
+      return 0.2 * (distribution.b - distribution.a);
+    case Family::kNormal:
+      return 0.5 * distribution.b;
+    case Family::kNormalSharp:
+      return 0.5 / std::sqrt(distribution.b);
+    default:
+      return 0.5;
+  }
+}
+
 }  // namespace solitaire

@@ -15,4 +15,7 @@ double from_coordinate(Coordinate coordinate, double at);
 /// The logarithm of the derivative of the value by the coordinate, where the value is that.
 double log_derivative(Coordinate coordinate, double value);
 
+/// How far a float may go in its coordinate before anything is known but its distribution.
+double usual_step(const Distribution& distribution);
+
 }  // namespace solitaire

@@ -13,34 +13,20 @@ using Family = Distribution::Family;
 
 constexpr double kWantedAcceptance = 0.44;
 
-/// How far a walk goes before anything is learned.
-double first_scale(const Distribution& distribution) {
-  switch (distribution.family) {
-    case Family::kUniform:
-      return 0.2 * (distribution.b - distribution.a);
-    case Family::kNormal:
-      return 0.5 * distribution.b;
-    case Family::kNormalSharp:
-      return 0.5 / std::sqrt(distribution.b);
-    default:
-      return 0.5;
-  }
-}
-
 }  // namespace
 
 /// Half of the steps go anywhere, and half close by: the first leave a mode, the second explore it.
 Proposal Proposer::propose(AddressId address, const Distribution& distribution, TypedScalar value) {
-  const bool near = stream_.below(2) == 0;
-  if (distribution.type() == Type::kFloat) {
-    if (!near) return from_prior(distribution, value);
-    return walk(std::exp(scales_[address].log_factor), distribution, value);
-  }
-  if (!distribution.is_finite())
-    return near ? neighbour(distribution, value) : from_prior(distribution, value);
-  if (distribution.size() == 1) return {value, 0, Move::kOther};
-  const bool has_near = distribution.family == Family::kRange && distribution.size() > 4;
-  return near && has_near ? neighbour(distribution, value) : other(distribution, value);
+  const bool has_near =
+      !distribution.is_finite() || (distribution.family == Family::kRange && distribution.size() > 4);
+  if (stream_.below(2) == 0 || !has_near) return anywhere(distribution, value);
+  if (distribution.type() != Type::kFloat) return neighbour(distribution, value);
+  return walk(std::exp(scales_[address].log_factor), distribution, value);
+}
+
+Proposal Proposer::anywhere(const Distribution& distribution, TypedScalar value) {
+  if (!distribution.is_finite()) return from_prior(distribution, value);
+  return distribution.size() == 1 ? Proposal{value, 0, Move::kOther} : other(distribution, value);
 }
 
 Proposal Proposer::from_prior(const Distribution& distribution, TypedScalar value) {
@@ -66,7 +52,7 @@ Proposal Proposer::neighbour(const Distribution& distribution, TypedScalar value
 /// densities is that of the derivatives of the value by the coordinate.
 Proposal Proposer::walk(double scale, const Distribution& distribution, TypedScalar value) {
   const double x = value.as_float();
-  const double step = scale * first_scale(distribution) * draw_normal(stream_);
+  const double step = scale * usual_step(distribution) * draw_normal(stream_);
   const Coordinate coordinate = coordinate_of(distribution.family);
   const double proposed = from_coordinate(coordinate, to_coordinate(coordinate, x) + step);
   const double log_ratio = log_derivative(coordinate, proposed) - log_derivative(coordinate, x);

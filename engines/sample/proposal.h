@@ -22,6 +22,8 @@ class Proposer {
   explicit Proposer(RandomStream& stream) : stream_(stream) {}
 
   Proposal propose(AddressId address, const Distribution& distribution, TypedScalar value);
+  /// A value that does not depend on the present one, or all others alike.
+  Proposal anywhere(const Distribution& distribution, TypedScalar value);
   /// Tunes the walk of that choice towards an acceptance of 0.44, which is best for walks in one dimension
   /// (Gelman, Roberts and Gilks 1996), by the method of Robbins and Monro. To be told during warm-up only.
   void learn(AddressId address, double acceptance);

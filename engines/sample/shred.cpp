@@ -19,6 +19,7 @@ ShredChain::ShredChain(const Program& program, const ParamValues& params, const 
       stream_(seed, Purpose::kChain, number),
       rerun_(program, params, limits, stream_),
       proposer_(stream_),
+      slice_sampler_(stream_),
       state_(rerun_.start()),
       restarts_(restarts) {
   enter();
@@ -116,34 +117,40 @@ bool ShredChain::step_by_form(ChoiceNumber choice) {
     if (!kernel.slice(choice).assumed.empty()) return false;
     const Distribution distribution = kernel.domain(choice);
     if (distribution.size() > tuning::kMostValuesCompared) return false;
-    change(choice, draw_of_few(kernel, choice, distribution, stream_));
+    change(choice, draw_of_few(kernel, choice, distribution, stream_), Move::kGibbs);
     return true;
   }
   const Form form = structure_->forms[choice];
   if (form == Form::kUnknown) return false;
   const std::optional<Scalar> value = draw_of_form(kernel, choice, form, stream_);
-  if (value) change(choice, *value);
+  if (value) change(choice, *value, Move::kGibbs);
   return value.has_value();
 }
 
 /// A value that other conditions rule out is refused, which is a step of Metropolis's.
-void ShredChain::change(ChoiceNumber choice, Scalar value) {
-  if (bits_of(value) == bits_of(structure_->kernel.value(choice))) return moves_.add(Move::kGibbs, true);
+void ShredChain::change(ChoiceNumber choice, Scalar value, Move move) {
+  if (bits_of(value) == bits_of(structure_->kernel.value(choice))) return moves_.add(move, true);
   const bool possible = structure_->kernel.propose(choice, value) == Kernel::Outcome::kScored;
-  moves_.add(Move::kGibbs, possible);
+  moves_.add(move, possible);
   if (possible) structure_->kernel.accept();
 }
 
+/// Half of the steps go anywhere, and half close by: by slice sampling, unless a branch depends on the
+/// choice.
 void ShredChain::step_by_proposal(ChoiceNumber choice) {
   if (structure_ == nullptr) {
     const MetChoice& at = state_.choices[choice];
     return step_by_rerun(choice, proposer_.propose(at.address, at.domain, at.value));
   }
   Kernel& kernel = structure_->kernel;
+  const bool has_branch = !kernel.slice(choice).assumed.empty();
+  if (!has_branch && stream_.below(2) == 0)
+    return change(choice, slice_sampler_.draw(kernel, choice, warming_up_), Move::kSlice);
   const Distribution distribution = kernel.distribution(choice);
   const AddressId address = kernel.program().choices[choice].address;
   const TypedScalar present(distribution.type(), kernel.value(choice));
-  const Proposal proposal = proposer_.propose(address, distribution, present);
+  const Proposal proposal = has_branch ? proposer_.propose(address, distribution, present)
+                                       : proposer_.anywhere(distribution, present);
   double log_ratio = -HUGE_VAL;
   if (distribution.contains(proposal.value)) {
     const Kernel::Outcome outcome = kernel.propose(choice, proposal.value.scalar());

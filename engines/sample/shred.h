@@ -10,6 +10,7 @@
 #include "engines/sample/joint_walk.h"
 #include "engines/sample/rerun.h"
 #include "engines/sample/restarts.h"
+#include "engines/sample/slice_sampler.h"
 #include "engines/sample/traced_structure.h"
 
 namespace solitaire {
@@ -51,7 +52,7 @@ class ShredChain : public Chain {
   bool step_by_form(ChoiceNumber choice);
   void step_by_proposal(ChoiceNumber choice);
   void step_by_rerun(ChoiceNumber choice, const Proposal& proposal);
-  void change(ChoiceNumber choice, Scalar value);
+  void change(ChoiceNumber choice, Scalar value, Move move);
   void learn(AddressId address, const Proposal& proposal, double log_ratio);
   bool accepts(double log_ratio) { return std::log(stream_.uniform()) < log_ratio; }
   std::size_t choices() const;
@@ -67,6 +68,7 @@ class ShredChain : public Chain {
   RandomStream stream_;
   Rerun rerun_;
   Proposer proposer_;
+  SliceSampler slice_sampler_;
   /// The present state: its values are the kernel's where there is one, and these are of the last time that
   /// the program was run.
   SampledState state_;

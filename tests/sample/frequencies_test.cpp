@@ -37,6 +37,7 @@ constexpr Counted kPrograms[] = {
     {"a range whose ends depend on a choice, which decides what follows",
      "a = range(0, 1); b = range(a, a + 2); c = if b > 0 then categorical([5, 8]) else range(0, 1); "
      "return 100 * a + 10 * b + c;"},
+    {"many values", "a = range(0, 198, 2); factor(-0.002 * (a - 150) * (a - 150)); return a / 20;"},
     {"tables",
      "import \"std/process.sol\"; s = crp(4, 0.7); return 1000 * s[0] + 100 * s[1] + 10 * s[2] + s[3];"},
 };
