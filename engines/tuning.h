@@ -77,6 +77,9 @@ constexpr std::int64_t kReachInSpans = 4;
 constexpr std::int64_t kLeastReach = 64;
 constexpr std::int64_t kMostReach = std::int64_t{1} << 28;
 constexpr std::int64_t kProvenanceReach = 4096;
+/// A core of so many conditions is first looked for by the places of the text at which they stand. Judgement:
+/// a question about single conditions is dear where they are hundreds.
+constexpr std::size_t kManyConditions = 64;
 /// Only the least and the greatest value are looked for of a choice with more values. Judgement: each value
 /// costs a question.
 constexpr std::uint64_t kMostValuesListed = 256;

@@ -317,8 +317,8 @@ TEST_CASE("cli: a rough layout first, then variations of what was liked of it") 
   const std::string script = SOLITAIRE_SOURCE_DIR "/examples/workspace.sol";
   const std::string rough = place / "rough";
   // Asked for now as well, so that some variation of what comes can be had.
-  const std::vector<std::string> wishes = {
-      "--set", "groups=2", "--pin", "door/turn=2", "--forbid", "make_group[0]/make_sofa[*]/anywhere/turn=1"};
+  const std::vector<std::string> wishes = {"--set",       "groups=2", "--pin",
+                                           "door/turn=2", "--forbid", "make_group[0]/make_sofa[*]/turn=1"};
   std::vector<std::string> first = {"generate", script, "-n", "2", "-o", rough};
   first.insert(first.end(), wishes.begin(), wishes.end());
   CHECK(run_solitaire(first).status == 0);
@@ -332,7 +332,7 @@ TEST_CASE("cli: a rough layout first, then variations of what was liked of it") 
   arguments.insert(arguments.end(), keeping.begin(), keeping.end());
   CHECK(run_solitaire(arguments).status == 0);
   const AddressPattern tables("make_group[*]/make_table[*]/**");
-  const AddressPattern sofas("make_group[0]/make_sofa[*]/anywhere/turn");
+  const AddressPattern sofas("make_group[0]/make_sofa[*]/turn");
   for (const char* name : {"workspace-0001.json", "workspace-0004.json"}) {
     const json varied = choices_in(place / ("final/" + std::string(name)));
     CHECK(varied != liked);
@@ -358,6 +358,20 @@ TEST_CASE("cli: a pin that matches nothing names the nearest addresses") {
   }
   CHECK(has(run_solitaire({"solve", script, "--pin", "saet[1]/**=3"}).err, "the nearest are seat[1]/**"));
   CHECK(has(run_solitaire({"solve", script, "--pin", "**/z=3"}).err, "**/x"));
+}
+
+TEST_CASE("cli: a pin of what stands behind a line that no execution passes is not called misspelled") {
+  const Workplace place;
+  const std::string refused =
+      place.file("refused.sol", "xs = [1];\ny = xs[range(3, 5)];\nreturn range(0, 4);\n");
+  const Outcome none = run_solitaire({"solve", refused, "--pin", "range=0"});
+  CHECK(none.status == 1);
+  CHECK(has(none.err, "the list must have such an element"));
+  CHECK(has(run_solitaire({"solve", refused, "--pin", "rnage=0"}).err, "no choice has such an address"));
+  const std::string wrong = place.file("wrong.sol", "y = 1 + \"a\";\nreturn range(0, 4);\n");
+  const Outcome mistake = run_solitaire({"solve", wrong, "--pin", "range=0"});
+  CHECK(mistake.status == 3);
+  CHECK(has(mistake.err, "'+' does not go with"));
 }
 
 TEST_CASE("cli: a pin's value has the type of the choices that it matches") {

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "tests/explain_check.h"
 #include "tests/explain_comments.h"
@@ -82,6 +84,37 @@ void check_scripts(std::size_t part) {
     } catch (const ProgramError& error) {
       FAIL_CHECK(std::string(error.what()));
     }
+  }
+}
+
+/// The program's text, as if it were a file.
+Program program_of(const std::string& text) {
+  SourceSet sources;
+  return load_program_text("many.sol", text, library(), sources);
+}
+
+// Of the 91 conditions the 30 of line 2 and that of line 5 are in the way, and no others.
+TEST_CASE("explain: of many conditions all are told first, then places, then single ones") {
+  const Program program = program_of(
+      "xs = [range(0, 9) for i in 1..30];\n"
+      "for x in xs: assert(x > 2);\n"
+      "for x in xs: assert(x != 5);\n"
+      "for x in xs: assert(x < 9);\n"
+      "assert(sum([xs[i] for i in 0..28]) <= 86);\n");
+  for (const SearchMethod* method : {&cadical_method(), &z3_method()}) {
+    TracingOptions options;
+    options.method = method;
+    Explainer explainer(program, {}, options);
+    std::vector<std::size_t> told;
+    explainer.on_smaller([&](const Conflict& conflict) { told.push_back(conflict.members.size()); });
+    const std::optional<Conflict> conflict = explainer.next_conflict();
+    REQUIRE(conflict.has_value());
+    CHECK(conflict->minimal);
+    CHECK(conflict->members.size() == 30);
+    REQUIRE(told.size() >= 3);
+    CHECK(told[0] >= 91);
+    CHECK(told[1] == 31);
+    CHECK(told.back() == 30);
   }
 }
 

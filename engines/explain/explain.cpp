@@ -9,8 +9,6 @@
 namespace solitaire {
 namespace {
 
-using Outcome = ConditionSolver::Outcome;
-
 /// The largest number that a graph knows, or its negative.
 std::int64_t largest_constant(const Graph& graph) {
   std::int64_t largest = 0;
@@ -23,9 +21,9 @@ std::int64_t largest_constant(const Graph& graph) {
 
 /// Says why there is no further conflict when the question whether what is not explained yet can hold
 /// together came to this.
-Ending ending_after(Outcome outcome) {
-  if (outcome == Outcome::kFound) return Ending::kExhausted;
-  return outcome == Outcome::kNone ? Ending::kNone : ending_of(outcome);
+Ending ending_after(ConditionSolver::Outcome outcome) {
+  if (outcome == ConditionSolver::Outcome::kFound) return Ending::kExhausted;
+  return outcome == ConditionSolver::Outcome::kNone ? Ending::kNone : ending_of(outcome);
 }
 
 }  // namespace
@@ -52,17 +50,55 @@ std::optional<Conflict> Explainer::next_conflict() {
 
 std::optional<Conflict> Explainer::another_conflict() {
   if (ending_ != Ending::kNone) return std::nullopt;
-  const auto unexplained = [this](const Condition& each) { return explained_.count(each) == 0; };
-  ending_ = ending_after(solver_.find(unexplained, nullptr, ConditionSolver::Ends::kErrors));
+  ending_ = ending_after(find_unexplained());
   if (ending_ != Ending::kNone) return std::nullopt;
   Conditions members = solver_.core();
-  tell(members);
   const bool minimal = minimize(solver_, members, {});
   explained_.insert(members.begin(), members.end());
   try {
     return complete(members, minimal);
   } catch (const Interrupted&) {
     return Conflict{{members.begin(), members.end()}, false, solver_.over_full(members)};
+  }
+}
+
+/// Asks whether the conditions that are in no conflict yet can hold together; if not, the solver has a core.
+/// Where they are many, all of them are one part at first, and then those of each place: of few parts a core
+/// is found much sooner, and most places are left out by then.
+Explainer::Outcome Explainer::find_unexplained() {
+  const auto among = [this](const auto& wanted, Grain grain) {
+    const Outcome outcome = solver_.find(wanted, nullptr, ConditionSolver::Ends::kErrors, grain);
+    if (outcome == Outcome::kNone) tell(solver_.core());
+    return outcome;
+  };
+  const auto unexplained = [this](const Condition& each) { return explained_.count(each) == 0; };
+  try {
+    if (solver_.all().size() < tuning::kManyConditions) return among(unexplained, Grain::kConditions);
+  } catch (const Interrupted&) {
+    return Outcome::kStopped;
+  }
+  for (const Grain grain : {Grain::kAll, Grain::kPlaces}) {
+    const Outcome outcome = among(unexplained, grain);
+    if (outcome != Outcome::kNone) return outcome;
+  }
+  Conditions members = solver_.core();
+  minimize_places(members);
+  return among([&](const Condition& each) { return members.count(each) != 0; }, Grain::kConditions);
+}
+
+/// Leaves out all conditions of a place at once, for as long as the rest cannot hold together.
+void Explainer::minimize_places(Conditions& members) {
+  std::vector<Span> places;
+  for (const Condition& member : members) {
+    if (places.empty() || places.back() != member.span) places.push_back(member.span);
+  }
+  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+    Conditions rest = members;
+    std::erase_if(rest, [&](const Condition& each) { return each.span == *place; });
+    if (rest.size() == members.size()) continue;
+    if (solver_.find(rest, Grain::kPlaces) != Outcome::kNone) continue;
+    members = solver_.core();
+    tell(members);
   }
 }
 

@@ -30,6 +30,8 @@ class Explainer {
 
  private:
   using Conditions = ConditionSolver::Conditions;
+  using Grain = ConditionSolver::Grain;
+  using Outcome = ConditionSolver::Outcome;
 
   /// Choices that are free to lie outside of their ranges, and at least how far.
   struct Freedom {
@@ -38,6 +40,8 @@ class Explainer {
   };
 
   std::optional<Conflict> another_conflict();
+  Outcome find_unexplained();
+  void minimize_places(Conditions& members);
   bool minimize(ConditionSolver& solver, Conditions& members, const Conditions& fixed) const;
   Conflict complete(Conditions members, bool minimal);
   void tell(const Conditions& members) const;

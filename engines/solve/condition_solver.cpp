@@ -34,33 +34,46 @@ const std::vector<TracedCondition>& ConditionSolver::all() {
   return traced_;
 }
 
+std::vector<ConditionSolver::Part> ConditionSolver::parts_of(const Wanted& wanted, Grain grain) {
+  std::vector<Part> parts;
+  const Condition* last = nullptr;
+  for (const TracedCondition& each : all()) {  // in the order of their places
+    if (!wanted(each.condition)) continue;
+    const bool goes_on = grain == Grain::kAll ||
+                         (grain == Grain::kPlaces && last != nullptr && last->span == each.condition.span);
+    if (!goes_on || last == nullptr) parts.emplace_back();
+    last = &each.condition;
+    parts.back().holds = graph_.conjunction(parts.back().holds, each.holds);
+    parts.back().conditions.push_back(last);
+  }
+  return parts;
+}
+
 ConditionSolver::Outcome ConditionSolver::find(const Wanted& wanted, const std::function<NodeId()>& also,
-                                               Ends ends) {
+                                               Ends ends, Grain grain) {
   const auto conditions = [&] {
-    asked_.clear();
+    asked_ = parts_of(wanted, grain);
     std::vector<NodeId> nodes;
-    for (const TracedCondition& each : all()) {
-      if (!wanted(each.condition)) continue;
-      asked_.emplace_back(each.holds, &each.condition);
-      nodes.push_back(each.holds);
-    }
+    for (const Part& part : asked_) nodes.push_back(part.holds);
     if (also) nodes.push_back(graph_.disjunction(also(), solver_.unexplored()));
     return nodes;
   };
   return solver_.find(conditions, ends);
 }
 
-ConditionSolver::Outcome ConditionSolver::find(const Conditions& wanted) {
-  return find([&](const Condition& each) { return wanted.count(each) != 0; });
+ConditionSolver::Outcome ConditionSolver::find(const Conditions& wanted, Grain grain) {
+  return find([&](const Condition& each) { return wanted.count(each) != 0; }, nullptr, Ends::kErrorsAndCuts,
+              grain);
 }
 
 ConditionSolver::Conditions ConditionSolver::core() {
-  std::unordered_map<NodeId, const Condition*> by_node;
-  for (const auto& [node, condition] : asked_) by_node.try_emplace(node, condition);
+  std::unordered_map<NodeId, const Part*> by_node;
+  for (const Part& part : asked_) by_node.try_emplace(part.holds, &part);
   Conditions members;
   for (const NodeId node : solver_.core()) {
     const auto it = by_node.find(node);
-    if (it != by_node.end()) members.insert(*it->second);
+    if (it == by_node.end()) continue;
+    for (const Condition* condition : it->second->conditions) members.insert(*condition);
   }
   return members;
 }

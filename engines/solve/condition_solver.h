@@ -23,18 +23,21 @@ class ConditionSolver {
 
   /// Returns all conditions that have been met so far. Throws Interrupted.
   const std::vector<TracedCondition>& all();
+  /// Says of what a core is made: of single conditions, of all those that stand at one place of the text,
+  /// such as those of a loop's turns, or of all of them. The fewer parts, the easier the question.
+  enum class Grain : std::uint8_t { kConditions, kPlaces, kAll };
   /// Asks whether those that are wanted can hold together, and with them `also`, a bool node of graph().
   Outcome find(const Wanted& wanted, const std::function<NodeId()>& also = nullptr,
-               Ends ends = Ends::kErrorsAndCuts);
-  Outcome find(const Conditions& wanted);
+               Ends ends = Ends::kErrorsAndCuts, Grain grain = Grain::kConditions);
+  Outcome find(const Conditions& wanted, Grain grain = Grain::kConditions);
   /// Returns true if no path is left that was not explored.
   bool is_explored() { return all(), solver_.trace().blockers.empty(); }
   /// Returns how often the newest pass met what it cannot express.
   std::size_t inexpressible();
   /// Returns things that need more room than there is, if the conditions say that there are such.
   std::optional<OverFull> over_full(const Conditions& conditions);
-  /// Returns wanted conditions that cannot hold together; of several that mean the same, only one. For use
-  /// after kNone.
+  /// Returns wanted conditions that cannot hold together; of several parts that mean the same, only one. For
+  /// use after kNone.
   Conditions core();
   /// Returns the addresses of the choices that the conditions depend on.
   std::set<AddressId> choices_below(const Conditions& conditions);
@@ -47,7 +50,14 @@ class ConditionSolver {
   ExecutionSolver solver_;
   std::vector<TracedCondition> traced_;
   std::size_t traced_pass_ = 0;
-  std::vector<std::pair<NodeId, const Condition*>> asked_;  // what the last find() asked for
+  /// What the core has as a whole, or not at all.
+  struct Part {
+    NodeId holds = kTrue;
+    std::vector<const Condition*> conditions;
+  };
+  std::vector<Part> parts_of(const Wanted& wanted, Grain grain);
+
+  std::vector<Part> asked_;  // what the last find() asked for
 };
 
 }  // namespace solitaire

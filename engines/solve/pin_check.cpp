@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "engines/errors.h"
+#include "engines/solve/conditions.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
@@ -88,6 +89,25 @@ class AnyFloats : public Choices {
   }
 };
 
+/// Returns true if some path ends early even where executions go on past broken asserts: at what is refused
+/// or wrong, or where a list has no such element. What would come after it is not seen.
+bool ends_early(const Trace& trace) {
+  const auto ends = [](const Term& term) {
+    return term.node != kTrue && term.requirement != ConstraintKind::kAssert && !is_end(term.requirement);
+  };
+  return !trace.program_errors.empty() || std::ranges::any_of(trace.hard_terms, ends);
+}
+
+/// Returns true if all steps of a pin are names of the program, so that it is not simply misspelled.
+bool is_made_of_names(const Pin& pin, const Program& program) {
+  return std::ranges::all_of(pin.pattern.steps(), [&](const std::string& step) {
+    const std::string name = step.substr(0, step.find('['));
+    const auto is_file = [&](const Module& module) { return module.label == name; };
+    return name.find('*') != std::string::npos || program.labels.find(name) ||
+           std::ranges::any_of(program.modules, is_file);
+  });
+}
+
 /// Checks the pins against the choices of a program on all paths: without pins, and where executions go on
 /// past broken asserts.
 void check_on_all_paths(Pins& pins, const Program& program, const ParamValues& params, TracingOptions options,
@@ -101,7 +121,9 @@ void check_on_all_paths(Pins& pins, const Program& program, const ParamValues& p
                          [](const Term&) { return false; });
   solver.explore_fully(tuning::kPassesForPins);
   check_types(pins, solver.pass(), addresses);
-  const std::vector<const Pin*> wrong = unmatched_pins(pins, solver.trace());
+  std::vector<const Pin*> wrong = unmatched_pins(pins, solver.trace());
+  if (ends_early(solver.trace()))
+    std::erase_if(wrong, [&](const Pin* pin) { return is_made_of_names(*pin, program); });
   if (wrong.empty()) return;
   std::vector<AddressId> found;
   for (const TraceChoice& choice : solver.trace().choices) found.push_back(choice.address);

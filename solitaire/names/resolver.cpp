@@ -4,33 +4,13 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "solitaire/builtins/builtin.h"
+#include "solitaire/names/call_labels.h"
 #include "solitaire/names/lookup.h"
 #include "solitaire/names/plain.h"
 #include "solitaire/names/scope.h"
 
 namespace solitaire {
 namespace {
-
-/// Returns the name of the variable, or of its field, that an assignment's target changes.
-std::string target_name(const Expr& target) {
-  switch (target.kind) {
-    case ExprKind::kName:
-      return static_cast<const NameExpr&>(target).name;
-    case ExprKind::kField:
-      return target_name(*static_cast<const FieldExpr&>(target).object) + '.' +
-             static_cast<const FieldExpr&>(target).field;
-    case ExprKind::kIndex:
-      return target_name(*static_cast<const IndexExpr&>(target).object);
-    default:
-      return "";
-  }
-}
-
-/// Returns true for calls of the language that are named after what they are for, as choices are.
-bool is_named_after_purpose(const Builtin& builtin) {
-  return builtin.is_choice || builtin.name == "map" || builtin.name == "filter";
-}
 
 class Resolver {
  public:
@@ -52,11 +32,16 @@ class Resolver {
     statement(*made.body);
     label_parameter_calls();
     scope.sites.mark_shared();
+    made.steps = scope.sites.names();
     scope_ = scope.outer;
   }
 
   void branch_site(Site& site, const char* kind, Span span) {
-    scope_->sites.at_place(site, kind, program_.sources[span.source].position(span.begin));
+    const Position at = program_.sources[span.source].position(span.begin);
+    const Module& module = program_.modules[number_];
+    // What the library does can have the address of its caller, whose branches may stand at the same place.
+    const std::string file = module.is_library ? module.path.filename().string() + ':' : "";
+    scope_->sites.at_place(site, kind, fmt::format("{}{}:{}", file, at.line, at.column));
   }
 
   // ---- statements
@@ -162,6 +147,8 @@ class Resolver {
   }
 
   void return_statement(ReturnStmt& node) {
+    if (scope_->outer != nullptr && node.values.size() == 1)
+      collect_results(*node.values.front(), scope_->results);
     for (const ExprPtr& value : node.values) expression(*value);
     if (scope_->outer == nullptr && number_ != 0) {
       diagnostics_.add("return-in-import", node.span, "an imported file returns nothing",
@@ -335,26 +322,23 @@ class Resolver {
         purpose = scope_->purpose + '.' + purpose;
       expression_for(purpose, *argument.value);
     }
-    const std::string label = call_label(*node.callee, scope_->purpose);
+    const std::string label = call_label(program_, *node.callee, scope_->purpose);
     if (calls_parameter(*node.callee)) {
       scope_->parameter_calls.emplace_back(&node.site, label);
-    } else {
+    } else if (!is_wrapper(node)) {
       scope_->sites.count(node.site, label);
     }
   }
 
-  /// Returns what a call adds to addresses. Choices, and what the library makes, are named after what they
-  /// are for.
-  std::string call_label(const Expr& callee, const std::string& purpose) const {
-    if (callee.kind == ExprKind::kField) return static_cast<const FieldExpr&>(callee).field;
-    if (callee.kind != ExprKind::kName) return "call";
-    const auto& name = static_cast<const NameExpr&>(callee);
-    if (purpose.empty()) return name.name;
-    const bool builtin = name.binding.kind == Binding::Kind::kBuiltin &&
-                         is_named_after_purpose(builtins()[name.binding.level]);
-    const bool library =
-        name.binding.kind == Binding::Kind::kModule && program_.modules[name.binding.level].is_library;
-    return builtin || (library && record_fields(callee) == nullptr) ? purpose : name.name;
+  /// Returns true for a call of the library whose result the function at hand returns, so that all that it
+  /// makes is the function's own and needs no step; then its site is left without a label, if that keeps
+  /// addresses apart.
+  bool is_wrapper(CallExpr& node) {
+    if (!scope_->purpose.empty() || !scope_->results.contains(&node) ||
+        !is_of_library(program_, *node.callee))
+      return false;
+    const Function* called = imported_function(program_, static_cast<const NameExpr&>(*node.callee));
+    return called != nullptr && scope_->sites.leave_out(node.site, called->steps);
   }
 
   /// Returns true if a function of the library calls what it was given.
@@ -379,16 +363,7 @@ class Resolver {
       const auto it = scope->records.find(name.name);
       if (it != scope->records.end()) return &it->second->fields;
     }
-    return name.binding.kind == Binding::Kind::kModule ? imported_fields(name) : nullptr;
-  }
-
-  const std::vector<Parameter>* imported_fields(const NameExpr& name) const {
-    for (const StmtPtr& statement : program_.modules[name.binding.level].tree.top->body->statements) {
-      if (statement->kind != StmtKind::kRecord) continue;
-      const auto& record = static_cast<const RecordStmt&>(*statement);
-      if (record.name == name.name) return &record.fields;
-    }
-    return nullptr;
+    return name.binding.kind == Binding::Kind::kModule ? imported_fields(program_, name) : nullptr;
   }
 
   /// A comprehension's variable is set before it is read, so that only those that an inner function can still

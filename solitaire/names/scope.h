@@ -42,6 +42,7 @@ struct Scope {
   std::map<std::string, const RecordStmt*> records;
   SiteLabels sites;
   std::vector<std::pair<Site*, std::string>> parameter_calls;  // of a library function: of what it was given
+  std::set<const Expr*> results;  // what the function returns as it is, or as elements of a list
   AssignedSlots assigned;
   std::string purpose;  // what the expression at hand is assigned to or passed as
   int loops = 0;        // how many loops are around the statement at hand

@@ -7,12 +7,23 @@ namespace solitaire {
 
 void SiteLabels::count(Site& site, const std::string& name) {
   const int count = ++counts_[name];
+  names_.insert(name);
   site.label = labels_.number(count == 1 ? name : fmt::format("{}#{}", name, count));
   sites_.push_back(&site);
 }
 
-void SiteLabels::at_place(Site& site, const std::string& kind, Position place) {
-  site.label = labels_.number(fmt::format("{}@{}:{}", kind, place.line, place.column));
+bool SiteLabels::leave_out(Site& site, const std::set<std::string>& names) {
+  const auto is_counted = [this](const std::string& name) { return counts_.contains(name); };
+  if (is_counted("") || std::ranges::any_of(names, is_counted)) return false;
+  counts_[""] = 1;
+  names_.insert(names.begin(), names.end());
+  site.label = kNoLabel;
+  sites_.push_back(&site);
+  return true;
+}
+
+void SiteLabels::at_place(Site& site, const std::string& kind, const std::string& place) {
+  site.label = labels_.number(kind + '@' + place);
 }
 
 void SiteLabels::mark_shared() const {

@@ -1,10 +1,10 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "base/name_table.h"
-#include "base/source.h"
 #include "solitaire/syntax/syntax.h"
 
 namespace solitaire {
@@ -18,8 +18,14 @@ class SiteLabels {
 
   /// Labels a call or choice after its name and how often the name came before.
   void count(Site& site, const std::string& name);
-  /// Labels a branch after its kind and place, which no other branch has.
-  void at_place(Site& site, const std::string& kind, Position place);
+  /// Leaves a call without a label, so that what happens in the called function has the address of this one;
+  /// `names` are those of the sites there. Returns false, and does nothing, where a site that comes before it
+  /// has one of these names, or no label either.
+  bool leave_out(Site& site, const std::set<std::string>& names);
+  /// Labels a branch after its kind and place, which no other branch of the function has.
+  void at_place(Site& site, const std::string& kind, const std::string& place);
+  /// Returns the names of all calls and choices, and of those in calls that were left out.
+  const std::set<std::string>& names() const { return names_; }
 
   /// Runs two exclusive parts, which return true if they always return from the function. A part that does
   /// has no say in the counts behind it.
@@ -44,6 +50,7 @@ class SiteLabels {
 
   NameTable& labels_;
   Counts counts_;
+  std::set<std::string> names_;
   std::vector<Site*> sites_;
 };
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -299,6 +300,7 @@ struct Function {
 
   std::vector<std::string> slots;  // the variables' names
   bool captured = false;           // true if an inner function can read its variables after it returned
+  std::set<std::string> steps;     // the names that its calls and choices have in addresses
 };
 
 inline FunctionExpr::FunctionExpr(Span where) : Expr(ExprKind::kFunction, where) {}

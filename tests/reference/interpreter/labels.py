@@ -25,8 +25,11 @@ class Labeller:
         self.builtins = builtins
         self.hidden = hidden  # names of the functions around, which hide the file's records and the builtins
         self.uses = Counter()
+        self.names = set()  # of all calls that got a label, and of those in functions whose calls got none
         self.parameters = set()  # of the function
         self.parameter_calls = []
+        self.results = []  # calls whose results the function returns, by themselves or as elements of a list
+        self.is_function = False
 
     # ---- what a name stands for
 
@@ -47,6 +50,7 @@ class Labeller:
 
     def use(self, name):
         self.uses[name] += 1
+        self.names.add(name)
         count = self.uses[name]
         return name if count == 1 else f"{name}#{count}"
 
@@ -81,17 +85,49 @@ class Labeller:
             self.parameter_calls.append(node)
         elif isinstance(callee, Name) and purpose and record is None and self.is_of_library(callee.name):
             node.label = self.use(purpose)
+        elif not purpose and self.is_wrapper(node):
+            node.label = ""
         else:
             node.label = self.use(callee.name if isinstance(callee, (Name, FieldOf)) else "call")
 
     def is_of_library(self, name):
-        """Whether a name means a function at the top level of a file of the library."""
+        """Whether a name means a function that a file of the library brings."""
+        module = self.module_of(name)
+        return module is not None and module is not self.module and module.library
+
+    def module_of(self, name):
+        """The file at whose top level the name is assigned, or None."""
         if name in self.hidden:
-            return False
+            return None
         for module in [self.module] + self.module.imports[::-1]:
             if name in module.assigned:
-                return module.library
-        return False
+                return module
+        return None
+
+    def is_wrapper(self, node):
+        """Whether the function returns what a function of the library made, so that it needs no step: if nothing that
+        comes before has the address of what is in it."""
+        callee = node.callee
+        if not any(node is result for result in self.results) or not isinstance(callee, Name):
+            return False
+        if not self.is_of_library(callee.name):
+            return False
+        names = self.module_of(callee.name).steps.get(callee.name)
+        if names is None or self.uses[""] or any(self.uses[name] for name in names):
+            return False
+        self.uses[""] = 1
+        self.names |= names
+        return True
+
+    def note_results(self, node):
+        match node:
+            case Call():
+                self.results.append(node)
+            case Comprehension(element=element):
+                self.note_results(element)
+            case Conditional(then=then, otherwise=otherwise):
+                self.note_results(then)
+                self.note_results(otherwise)
 
     def finish(self):
         """The only call of what a function of the library was given makes no step: its label stays empty."""
@@ -103,8 +139,10 @@ class Labeller:
         for parameter in parameters:
             inner.expression(parameter.default, parameter.name)
         inner.parameters = {parameter.name for parameter in parameters}
+        inner.is_function = True
         inner.statements(body)
         inner.finish()
+        return inner.names
 
     # ---- walking; `purpose` is what a choice at this place would be for, or None
 
@@ -131,8 +169,10 @@ class Labeller:
                 self.expression(base, purpose)
             case Call():
                 self.call(node, purpose)
-            case FunctionDisplay(parameters=parameters, body=body, assigned=assigned):
-                self.function(parameters, body, assigned)
+            case FunctionDisplay(parameters=parameters, body=body, name=name, assigned=assigned):
+                names = self.function(parameters, body, assigned)
+                if not self.is_function:
+                    self.module.steps.setdefault(name, names)
 
     def comprehension(self, element, clauses, purpose):
         outer = self.hidden
@@ -167,6 +207,8 @@ class Labeller:
                 self.expression(condition, None)
                 self.statement(body)
             case Return(values=values):
+                if self.is_function and len(values) == 1:
+                    self.note_results(values[0])
                 self.expressions(values, None)
             case Param(name=name, default=default):
                 self.expression(default, name)

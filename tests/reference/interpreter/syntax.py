@@ -230,4 +230,5 @@ class Module:
     library: bool = False  # whether the file belongs to the language's own library
     assigned: set = field(default_factory=set)
     records: dict = field(default_factory=dict)  # name -> RecordDeclaration
+    steps: dict = field(default_factory=dict)  # name of a function -> names that its calls have in addresses
     imports: list = field(default_factory=list)  # Modules, in the order of their import statements

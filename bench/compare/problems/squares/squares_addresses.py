@@ -2,4 +2,4 @@ from addresses import Variable
 
 
 def names(params):
-    return {f"{axis}[{i}]": Variable(axis, i + 1) for axis in "xy" for i in range(params["squares"])}
+    return {f"all_squares.{axis}[{i}]": Variable(axis, i + 1) for axis in "xy" for i in range(params["squares"])}
