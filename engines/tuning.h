@@ -111,8 +111,9 @@ constexpr std::uint64_t kMostStarts = 10'000;
 constexpr std::size_t kStartsCompared = 20;
 /// A choice with more values than this is not drawn by comparing all of them. Judgement.
 constexpr std::uint64_t kMostValuesCompared = 64;
-/// More floats do not walk together: to learn their covariances takes longer than a warm-up. Judgement.
-constexpr std::size_t kMostWalkingTogether = 30;
+/// Of more floats variances alone are learned: to learn their covariances takes longer than a warm-up.
+/// Judgement.
+constexpr std::size_t kMostCovariances = 30;
 /// Traces of so many paths are kept. Judgement: each takes some kilobytes for each choice.
 constexpr std::size_t kMostTraces = 256;
 /// A trace's density and that of the execution agree to so much of their size: sums differ in their order.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/gradient.h"
 #include "kernel/machine.h"
 
 namespace solitaire {
@@ -73,7 +74,14 @@ bool Kernel::run_slice(std::size_t slice) {
   return run(slices_[slice].code, cells_.data());
 }
 
+void Kernel::differentiate() {
+  Slice& slice = slices_.back();
+  slopes_ = add_gradient(program_, floats_.size(), slice);
+  cells_.resize(std::max(cells_.size(), program_.cells.size() + floats_.size() + slice.code.size()));
+}
+
 Kernel::Outcome Kernel::propose_floats(std::span<const double> values) {
+  if (slopes_.empty()) differentiate();
   proposed_ = slices_.size() - 1;
   proposed_bits_.reset();
   for (std::size_t i = 0; i < values.size(); ++i) cells_[program_.cells.size() + i] = Scalar::of(values[i]);

@@ -40,6 +40,9 @@ class Kernel {
   Outcome propose(ChoiceNumber choice, Scalar value);
   /// The same of a change of all floats together: a value for each of floats().
   Outcome propose_floats(std::span<const double> values);
+  /// The slope of the density's logarithm along a float, by its place in floats(), where they were proposed
+  /// together. NaN where there is none.
+  double slope(std::size_t place) const { return cells_[slopes_[place]].f; }
   const std::vector<ChoiceNumber>& floats() const { return floats_; }
   double difference() const { return difference_; }
   /// Takes over the change that was proposed last, which has to have been scored.
@@ -59,6 +62,7 @@ class Kernel {
   Outcome score_all();
   Outcome score_slice(std::size_t slice);
   bool run_slice(std::size_t slice);
+  void differentiate();
 
   ScoreProgram program_;
   /// The code of a slice as a machine runs it, once it is worth being compiled.
@@ -69,6 +73,7 @@ class Kernel {
 
   std::vector<ChoiceNumber> floats_;  // that can change
   std::vector<Slice> slices_;
+  std::vector<Cell> slopes_;  // once they are asked for
   bool compiles_;
   Compiler compiler_;
   std::vector<Compiled> compiled_;  // one for each slice

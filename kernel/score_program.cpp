@@ -114,6 +114,8 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
   program.constant = take_constants(graph, demands.terms);
   demands.required = open_conditions(std::move(demands.required));
   demands.assumed = open_conditions(std::move(demands.assumed));
+  std::vector<NodeId> numbers;
+  for (const double number : kSlopeNumbers) numbers.push_back(graph.constant(number));
   Cells cells(graph, program);
   for (const std::vector<NodeId>* needed : {&demands.terms, &demands.required, &demands.assumed})
     cells.need(*needed);
@@ -121,7 +123,9 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
     cells.need(std::span(&choice.variable, 1));
     cells.need(choice.parameters);
   }
+  cells.need(numbers);
   cells.write(program.code);
+  program.slope_numbers = cells.of(numbers);
   program.terms = cells.of(demands.terms);
   program.required = cells.of(demands.required);
   program.assumed = cells.of(demands.assumed);

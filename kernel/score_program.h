@@ -14,6 +14,11 @@ namespace solitaire {
 using Cell = std::uint32_t;
 inline constexpr Cell kNoCell = UINT32_MAX;
 
+/// What the code of slopes needs beside a program's own cells (gradient.h). The last five are the
+/// coefficients of the series of the digamma function (Abramowitz and Stegun 6.3.18).
+inline constexpr std::array<double, 8> kSlopeNumbers = {0,          1,         0.5,        1.0 / 12,
+                                                        -1.0 / 120, 1.0 / 252, -1.0 / 240, 1.0 / 132};
+
 /// Computes a cell from others. Operands that the operation does not have are 0.
 struct Instruction {
   Op op;
@@ -45,6 +50,7 @@ struct ScoreProgram {
   std::vector<Cell> required;     // bools
   std::vector<Cell> assumed;      // bools
   double constant = 0;
+  std::vector<Cell> slope_numbers;  // have the values of kSlopeNumbers
   /// Makes the outputs, once `code` has run.
   std::vector<Instruction> output_code;
   std::vector<Cell> outputs;

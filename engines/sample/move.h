@@ -14,7 +14,7 @@ enum class Move : std::uint8_t {
   kWalk,       // a float close by, on a scale that is tuned
   kGibbs,      // a value drawn from its distribution given all other choices
   kSlice,      // a value that is about as probable as the present one, by slice sampling
-  kJoint,      // several floats together, by normal steps that lie as they do
+  kJoint,      // all floats together, by the No-U-Turn sampler
   kRestart,    // another execution, all of whose choices are drawn anew
   kCount_
 };
@@ -36,8 +36,8 @@ class MoveTally {
   void clear() { counts_ = {}; }
   /// Those that were tried, by their names.
   MoveCounts named() const {
-    constexpr std::array<const char*, kMoves> kNames = {"prior", "other value", "neighbour",  "walk",
-                                                        "gibbs", "slice",       "joint walk", "restart"};
+    constexpr std::array<const char*, kMoves> kNames = {"prior", "other value", "neighbour", "walk",
+                                                        "gibbs", "slice",       "nuts",      "restart"};
     MoveCounts named;
     for (std::size_t i = 0; i < kMoves; ++i)
       if (counts_[i].tried > 0) named[kNames[i]] = counts_[i];

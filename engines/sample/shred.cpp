@@ -30,58 +30,34 @@ ShredChain::ShredChain(const Program& program, const ParamValues& params, const 
 void ShredChain::sweep() {
   if (warming_up_) steps_in_sweep_ = std::max(steps_in_sweep_, choices());
   for (std::size_t i = 0; i < steps_in_sweep_; ++i) step();
-  if (structure_ != nullptr) walk_jointly();
+  if (structure_ != nullptr) move_jointly();
   if (restarts_.wanted()) restart();
 }
 
-/// The floats of the path walk together. A step that would leave the path is refused, as the one back would
-/// be.
-void ShredChain::walk_jointly() {
-  JointWalk* walk = joint_walk();
-  if (walk == nullptr) return;
-  if (walk->ready())
-    for (std::size_t i = 0; i < structure_->kernel.floats().size(); ++i) step_jointly(*walk);
-  if (warming_up_) walk->watch(coordinates());
+/// A step that would leave the path is refused, as the one back would be.
+void ShredChain::move_jointly() {
+  if (joint_move_ == nullptr) return;
+  if (joint_move_->ready()) {
+    const bool moved = joint_move_->move(structure_->kernel, stream_, warming_up_);
+    moves_.add(Move::kJoint, moved);
+  }
+  if (warming_up_) joint_move_->watch(structure_->kernel);
 }
 
-JointWalk* ShredChain::joint_walk() {
-  const Kernel& kernel = structure_->kernel;
-  const std::size_t size = kernel.floats().size();
-  if (size < 2 || size > tuning::kMostWalkingTogether) return nullptr;
+/// The joint move of the present structure. Those with the same floats share one.
+JointMove* ShredChain::find_joint_move() {
+  const std::vector<ChoiceNumber>& floats = structure_->kernel.floats();
+  if (floats.size() < 2) return nullptr;
   std::vector<std::uint32_t> addresses;
-  for (const ChoiceNumber each : kernel.floats())
-    addresses.push_back(kernel.program().choices[each].address.index);
-  const auto found = joint_walks_.find(addresses);
-  if (found != joint_walks_.end()) return &found->second;
-  return warming_up_ ? &joint_walks_.try_emplace(std::move(addresses), size).first->second : nullptr;
-}
-
-std::vector<double> ShredChain::coordinates() const {
-  const Kernel& kernel = structure_->kernel;
-  std::vector<double> at;
-  for (const ChoiceNumber each : kernel.floats()) {
-    const Distribution::Family family = kernel.program().choices[each].distribution.family;
-    at.push_back(to_coordinate(coordinate_of(family), kernel.value(each).f));
+  bool has_unknown = false;
+  for (const ChoiceNumber each : floats) {
+    addresses.push_back(structure_->kernel.program().choices[each].address.index);
+    has_unknown = has_unknown || structure_->forms[each] == Form::kUnknown;
   }
-  return at;
-}
-
-void ShredChain::step_jointly(JointWalk& walk) {
-  Kernel& kernel = structure_->kernel;
-  std::vector<double> to = walk.propose(coordinates(), stream_);
-  double log_ratio = 0;
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    const ChoiceNumber choice = kernel.floats()[i];
-    const Coordinate coordinate = coordinate_of(kernel.program().choices[choice].distribution.family);
-    to[i] = from_coordinate(coordinate, to[i]);
-    log_ratio += log_derivative(coordinate, to[i]) - log_derivative(coordinate, kernel.value(choice).f);
-  }
-  const bool scored = kernel.propose_floats(to) == Kernel::Outcome::kScored;
-  log_ratio = scored && !std::isnan(log_ratio) ? log_ratio + kernel.difference() : -HUGE_VAL;
-  if (warming_up_) walk.learn(std::exp(std::min(log_ratio, 0.0)));
-  const bool accepted = accepts(log_ratio);
-  moves_.add(Move::kJoint, accepted);
-  if (accepted) kernel.accept();
+  const auto found = joint_moves_.find(addresses);
+  if (found != joint_moves_.end()) return &found->second;
+  if (!warming_up_) return nullptr;
+  return &joint_moves_.try_emplace(std::move(addresses), floats.size(), has_unknown).first->second;
 }
 
 void ShredChain::restart() {
@@ -144,8 +120,11 @@ void ShredChain::step_by_proposal(ChoiceNumber choice) {
   }
   Kernel& kernel = structure_->kernel;
   const bool has_branch = !kernel.slice(choice).assumed.empty();
-  if (!has_branch && stream_.below(2) == 0)
-    return change(choice, slice_sampler_.draw(kernel, choice, warming_up_), Move::kSlice);
+  if (!has_branch && stream_.below(2) == 0) {
+    if (!moves_with_others(choice))
+      change(choice, slice_sampler_.draw(kernel, choice, warming_up_), Move::kSlice);
+    return;
+  }
   const Distribution distribution = kernel.distribution(choice);
   const AddressId address = kernel.program().choices[choice].address;
   const TypedScalar present(distribution.type(), kernel.value(choice));
@@ -164,6 +143,12 @@ void ShredChain::step_by_proposal(ChoiceNumber choice) {
   const bool accepted = accepts(log_ratio);
   moves_.add(proposal.move, accepted);
   if (accepted) kernel.accept();
+}
+
+bool ShredChain::moves_with_others(ChoiceNumber choice) const {
+  const ScoreProgram& program = structure_->kernel.program();
+  return program.types[program.choices[choice].cell] == Type::kFloat && joint_move_ != nullptr &&
+         joint_move_->ready();
 }
 
 void ShredChain::step_by_rerun(ChoiceNumber choice, const Proposal& proposal) {
@@ -186,6 +171,7 @@ void ShredChain::learn(AddressId address, const Proposal& proposal, double log_r
 void ShredChain::end_warmup() {
   warming_up_ = false;
   restarts_.end_warmup();
+  for (auto& [addresses, move] : joint_moves_) move.end_warmup();
   moves_.clear();
 }
 
@@ -217,11 +203,13 @@ void ShredChain::enter() {
       structures_.push_back(std::make_unique<TracedStructure>(std::move(made)));
     } catch (const ProgramError& error) {
       slowed_by_ = error.diagnostics().front();
+      joint_move_ = nullptr;
       return;
     }
     structure_ = structures_.back().get();
     if (!structure_->load(state_)) throw InternalError("a trace does not take the path of its own execution");
   }
+  joint_move_ = structure_ != nullptr ? find_joint_move() : nullptr;
   if (structure_ != nullptr) check_density();
 }
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "engines/sample/chain.h"
-#include "engines/sample/coordinate.h"
-#include "engines/sample/joint_walk.h"
+#include "engines/sample/joint_move.h"
 #include "engines/sample/rerun.h"
 #include "engines/sample/restarts.h"
 #include "engines/sample/slice_sampler.h"
@@ -45,12 +44,11 @@ class ShredChain : public Chain {
  private:
   void step();
   void restart();
-  void walk_jointly();
-  void step_jointly(JointWalk& walk);
-  JointWalk* joint_walk();
-  std::vector<double> coordinates() const;
+  void move_jointly();
+  JointMove* find_joint_move();
   bool step_by_form(ChoiceNumber choice);
   void step_by_proposal(ChoiceNumber choice);
+  bool moves_with_others(ChoiceNumber choice) const;
   void step_by_rerun(ChoiceNumber choice, const Proposal& proposal);
   void change(ChoiceNumber choice, Scalar value, Move move);
   void learn(AddressId address, const Proposal& proposal, double log_ratio);
@@ -78,7 +76,8 @@ class ShredChain : public Chain {
   std::optional<Diagnostic> slowed_by_;
   std::size_t steps_in_sweep_ = 1;  // the most choices that a state of the warm-up had
   /// Of the floats at these addresses, for those that were met in the warm-up.
-  std::map<std::vector<std::uint32_t>, JointWalk> joint_walks_;
+  std::map<std::vector<std::uint32_t>, JointMove> joint_moves_;
+  JointMove* joint_move_ = nullptr;  // of the structure, if it has one
   Restarts restarts_;
   bool warming_up_ = true;
   MoveTally moves_;

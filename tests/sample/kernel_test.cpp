@@ -6,13 +6,12 @@
 #include <doctest/doctest.h>
 
 #include "engines/sample/conditional.h"
-#include "engines/sample/rerun.h"
-#include "engines/sample/traced_structure.h"
+#include "engines/sample/proposal.h"
 #include "kernel/compiler.h"
 #include "kernel/forms.h"
 #include "kernel/machine.h"
 #include "solitaire/value/plain_copy.h"
-#include "tests/sample/enumeration.h"
+#include "tests/sample/traced.h"
 
 namespace solitaire {
 namespace {
@@ -30,27 +29,6 @@ constexpr const char* kTexts[] = {
     "r = exponential(2); c = poisson(r + 1); g = geometric(0.3); observe(Poisson(exp(0.1 * g) + c), 4);"
     "return if c > 1 then r else -r;",
     "a = flip(0.3); b = normal(cond(a, 1, -1), 1); prefer(b > 0, 2); return max(b, 0.5), floor(b);",
-};
-
-/// A program with an execution that is drawn, and its trace.
-struct Traced {
-  explicit Traced(const char* text, std::uint64_t seed)
-      : program(sampled_program(text)),
-        stream(seed, Purpose::kSample, 1),
-        rerun(program, params, {}, stream),
-        state(rerun.start()),
-        structure(trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program))) {
-    REQUIRE(structure.load(state));
-    rerun.stand_at(state);
-  }
-  Kernel& kernel() { return structure.kernel; }
-
-  ParamValues params;
-  Program program;
-  RandomStream stream;
-  Rerun rerun;
-  SampledState state;
-  TracedStructure structure;
 };
 
 TEST_CASE("kernel: the score is that of the execution, and outputs are what it returns") {

@@ -8,9 +8,7 @@
 #include <numeric>
 
 #include "engines/sample/diagnostics.h"
-#include "engines/sample/rerun.h"
-#include "engines/sample/traced_structure.h"
-#include "tests/sample/enumeration.h"
+#include "tests/sample/traced.h"
 
 namespace solitaire {
 namespace {
@@ -64,16 +62,9 @@ void check_mean(const Line& line, const std::vector<double>& draws, const Densit
 
 TEST_CASE("slice sampling: draws have the moments of the density along a choice") {
   for (const Line& line : kLines) {
-    const Program program = sampled_program(line.text);
-    const ParamValues params;
-    RandomStream stream(3, Purpose::kSample, 1);
-    Rerun rerun(program, params, {}, stream);
-    const SampledState state = rerun.start();
-    TracedStructure structure =
-        trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
-    REQUIRE(structure.load(state));
-    Kernel& kernel = structure.kernel;
-    SliceSampler sampler(stream);
+    Traced traced(line.text, 3);
+    Kernel& kernel = traced.kernel();
+    SliceSampler sampler(traced.stream);
     std::vector<double> draws;
     const bool is_float = kernel.domain(0).type() == Type::kFloat;
     for (int i = 0; i < 11'000; ++i) {

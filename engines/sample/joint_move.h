@@ -1,0 +1,30 @@
+#pragma once
+#include "base/random.h"
+#include "engines/sample/spread.h"
+#include "engines/sample/step_size.h"
+#include "kernel/kernel.h"
+
+namespace solitaire {
+
+/// Moves the floats of a path together, along the slopes of the density (trajectory.h), once the warm-up has
+/// shown how they lie. Where floats hang together, as a slope and an intercept far from the data, single ones
+/// can hardly move.
+class JointMove {
+ public:
+  /// With `always` also where the floats do not hang together.
+  JointMove(std::size_t size, bool always);
+
+  bool ready() const { return spread_.known() && (always_ || spread_.correlated()); }
+  /// Returns true if the floats moved. The move is tuned if it `learns`.
+  bool move(Kernel& kernel, RandomStream& stream, bool learns);
+  /// Is told of the kernel's present state during the warm-up, once in a sweep.
+  void watch(Kernel& kernel);
+  void end_warmup() { step_size_.settle(); }
+
+ private:
+  Spread spread_;
+  bool always_;
+  StepSize step_size_;
+};
+
+}  // namespace solitaire

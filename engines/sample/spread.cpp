@@ -1,0 +1,80 @@
+#include "engines/sample/spread.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engines/tuning.h"
+
+namespace solitaire {
+namespace {
+
+/// Where no two floats are more correlated, single ones get along. Judgement.
+constexpr double kLeastCorrelation = 0.5;
+
+}  // namespace
+
+Spread::Spread(std::size_t size)
+    : size_(size),
+      dense_(size <= tuning::kMostCovariances),
+      sums_(size, 0.0),
+      products_(dense_ ? size * size : size, 0.0),
+      factor_(products_.size(), 0.0) {}
+
+/// What was seen is forgotten each time that the covariances are taken from it, and then twice as much is
+/// seen, so that the way from the start does not count in the end.
+bool Spread::watch(std::span<const double> at) {
+  if (origin_.empty()) origin_.assign(at.begin(), at.end());
+  for (std::size_t i = 0; i < size_; ++i) {
+    sums_[i] += at[i] - origin_[i];
+    for (std::size_t j = first_of_row(i); j <= i; ++j)
+      products_[place(i, j)] += (at[i] - origin_[i]) * (at[j] - origin_[j]);
+  }
+  if (++seen_ < enough_) return false;
+  take();
+  origin_.clear();
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  std::fill(products_.begin(), products_.end(), 0.0);
+  seen_ = 0;
+  enough_ *= 2;
+  return true;
+}
+
+/// Covariances are taken for smaller than they look, the more so the fewer states were seen for so many
+/// floats.
+double Spread::covariance(std::size_t i, std::size_t j) const {
+  const auto seen = static_cast<double>(seen_);
+  const double found = (products_[place(i, j)] - sums_[i] * sums_[j] / seen) / (seen - 1);
+  return i == j ? found : found * seen / (seen + static_cast<double>(size_));
+}
+
+/// The factor is found a row after the other; of independent floats it is their standard deviations.
+void Spread::take() {
+  known_ = true;
+  correlated_ = false;
+  for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t j = first_of_row(i); j <= i; ++j) {
+      double rest = covariance(i, j);
+      if (i != j && std::abs(rest) > kLeastCorrelation * std::sqrt(covariance(i, i) * covariance(j, j)))
+        correlated_ = true;
+      for (std::size_t k = first_of_row(i); k < j; ++k) rest -= factor_[place(i, k)] * factor_[place(j, k)];
+      if (i == j && !(rest > 0)) known_ = false;
+      factor_[place(i, j)] = i == j ? std::sqrt(rest) : rest / factor_[place(j, j)];
+    }
+  }
+}
+
+std::vector<double> Spread::scaled(std::span<const double> x) const {
+  std::vector<double> made(size_, 0.0);
+  for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t j = first_of_row(i); j <= i; ++j) made[i] += factor_[place(i, j)] * x[j];
+  return made;
+}
+
+std::vector<double> Spread::scaled_slopes(std::span<const double> slopes) const {
+  std::vector<double> made(size_, 0.0);
+  for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t j = first_of_row(i); j <= i; ++j) made[j] += factor_[place(i, j)] * slopes[i];
+  return made;
+}
+
+}  // namespace solitaire

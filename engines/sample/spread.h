@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace solitaire {
+
+/// How floats lie, as the warm-up shows: their covariances, or, where they are many, their variances alone.
+class Spread {
+ public:
+  explicit Spread(std::size_t size);
+
+  /// Is told where the floats are, once in a sweep. Returns true if the spread is another from now on.
+  bool watch(std::span<const double> at);
+  /// Returns false until enough was seen, or where some float never moved.
+  bool known() const { return known_; }
+  /// Returns true if some of the floats hang together.
+  bool correlated() const { return correlated_; }
+
+  /// The spread is that of `scaled(x)` where x are independent standard normal numbers: a linear map.
+  std::vector<double> scaled(std::span<const double> x) const;
+  /// The slopes along x of a function whose slopes along the floats are these.
+  std::vector<double> scaled_slopes(std::span<const double> slopes) const;
+
+ private:
+  void take();
+  double covariance(std::size_t i, std::size_t j) const;
+  /// Where the covariance of i with j stands, j <= i.
+  std::size_t place(std::size_t i, std::size_t j) const { return dense_ ? i * size_ + j : i; }
+  std::size_t first_of_row(std::size_t i) const { return dense_ ? 0 : i; }
+
+  std::size_t size_;
+  bool dense_;
+  std::uint64_t seen_ = 0, enough_ = 60;
+  std::vector<double> sums_, products_, origin_;
+  std::vector<double> factor_;  // of the covariances, lower triangular (Cholesky)
+  bool known_ = false, correlated_ = false;
+};
+
+}  // namespace solitaire
