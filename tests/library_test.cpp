@@ -5,6 +5,7 @@
 #include <chrono>
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <map>
 #include <set>
 #include <solitaire/solitaire.h>
 #include <thread>
@@ -327,6 +328,28 @@ TEST_CASE("library: a search goes on after solutions that are known") {
   CHECK(second.summary().earlier == 2);
   known.front().front().value = std::int64_t{77};
   CHECK(error_of([&] { Search(program, options).resume(known); }).kind() == Error::Kind::kFile);
+}
+
+TEST_CASE("library: what the library places is said to come from the program's call") {
+  const Program program = Program::from_text("room.sol",
+                                             "import \"std/layout.sol\";\n"
+                                             "fun seat(x) {\n"
+                                             "  show(Thing(\"chair\", 1, 1, 0, x, 0));\n"
+                                             "  place(\"lamp\", at: [x, 2]);\n"
+                                             "}\n"
+                                             "seat(range(1, 2));\n"
+                                             "show_room(Rect(0, 0, 5, 5));\n");
+  Search search(program, {});
+  std::map<std::string, std::set<std::string>> places;
+  for (const Placement& placement : search.next()->placements)
+    places[placement.asset.empty() ? placement.name : placement.asset].insert(placement.source);
+  CHECK(places.at("chair") == std::set<std::string>{"room.sol:3:3"});
+  CHECK(places.at("lamp") == std::set<std::string>{"room.sol:4:3"});
+  for (const auto& [name, sources] : places) {
+    CAPTURE(name);
+    if (name != "chair" && name != "lamp") CHECK(sources == std::set<std::string>{"room.sol:7:1"});
+  }
+  CHECK(places.size() > 2);
 }
 
 TEST_CASE("library: scenes, a page and what there is to say about a run go to a folder") {

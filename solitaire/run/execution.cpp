@@ -22,6 +22,17 @@ std::vector<std::string> call_names(std::uint32_t call, const std::vector<CallRe
   return names;
 }
 
+/// Returns where the program places the thing: the call of place(), or that of the library's function which
+/// placed it for the program.
+Span shown_span(const Placement& placement, const std::vector<CallRecord>& calls, const Program& program) {
+  Span span = placement.span;
+  for (std::uint32_t call = placement.call; call != kNoCall; call = calls[call].caller) {
+    if (!program.is_library(*calls[call].function)) break;
+    span = calls[call].span;
+  }
+  return span;
+}
+
 /// "file.sol:12:3", without the folder, so that files do not depend on where the program stands.
 std::string place_text(Span span, const SourceSet& sources) {
   const Source& source = sources[span.source];
@@ -46,7 +57,7 @@ void add_texts(Placement& placement, const std::vector<CallRecord>& calls, const
                const AddressTable& addresses) {
   placement.address = addresses.text(placement.id);
   placement.calls = call_names(placement.call, calls, program, addresses);
-  placement.source = place_text(placement.span, program.sources);
+  placement.source = place_text(shown_span(placement, calls, program), program.sources);
   placement.folder = folder_text(placement.span, program);
 }
 

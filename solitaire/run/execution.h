@@ -16,6 +16,7 @@ struct CallRecord {
   std::uint32_t caller;      // its number in the same list, or kNoCall
   AddressId address;         // of the call
   const Function* function;  // that was called
+  Span span;                 // where it was called
 };
 inline constexpr std::uint32_t kNoCall = UINT32_MAX;
 

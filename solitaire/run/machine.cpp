@@ -125,7 +125,7 @@ std::uint32_t Machine::call_record(Activation& activation) {
   if (activation.record == kNoCall) {
     const std::uint32_t caller = call_record(*activation.caller);
     activation.record = static_cast<std::uint32_t>(calls_.size());
-    calls_.push_back({caller, activation_address(activation), activation.function});
+    calls_.push_back({caller, activation_address(activation), activation.function, activation.call->span});
   }
   return activation.record;
 }

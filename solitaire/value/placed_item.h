@@ -21,8 +21,8 @@ struct PlacedItem {
   std::vector<std::string> calls;  // the calls that led to it, outermost first: "wing[2]", "room[0]"
   std::vector<std::pair<std::string, std::string>>
       extras;          // further named arguments: name, value as JSON text
-  std::string source;  // "file.sol:12:3", the place call
-  std::string folder;  // of that file, relative to the script's; "" if it is the same
+  std::string source;  // "file.sol:12:3": the place call, or the program's call of what the library placed
+  std::string folder;  // of the file with the place call, relative to the script's; "" if it is the same
 };
 
 }  // namespace solitaire

@@ -62,8 +62,8 @@ struct Placement {
   std::vector<std::string> calls;              // that led to it, outermost first: "wing[2]", "room[0]"
   std::vector<Choice> choices;                 // that decide what it is and where it stands
   std::vector<std::pair<std::string, std::string>> extras;  // further named arguments: name, value as JSON
-  std::string source;                                       // the call in the text: "file.sol:12:3"
-  std::string folder;  // of that file, relative to the script's; "" if it is the same
+  std::string source;  // "file.sol:12:3": that call, or the program's call of what the library placed
+  std::string folder;  // of the file with that call, relative to the script's; "" if it is the same
 };
 
 /// An assert that a near miss breaks.
