@@ -213,7 +213,7 @@ def window_brick_2x1():
     m.block((-half + 0.001, 0, -deep), (half - 0.001, 0.0014, deep)).block((-half + 0.001, high - 0.0014, -deep), (half - 0.001, high, deep))
     m.block((-0.0004, 0.0014, 0.0005), (0.0004, high - 0.0014, 0.0025)).block((-half + 0.001, 0.009, 0.0005), (half - 0.001, 0.0098, 0.0025))
     _studs(m, 2, 1, high)
-    return m.of(CLEAR).block((-half + 0.001, 0.0014, -0.0008), (half - 0.001, high - 0.0014, 0.0005))
+    return m.of(CLEAR).block((-half + 0.0007, 0.0011, -0.0008), (half - 0.0007, high - 0.0011, 0.0007))
 
 
 def door_brick_3x1():

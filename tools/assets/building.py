@@ -85,12 +85,13 @@ def _window(model, half, height):
     model.block((-half, cross, -bar), (-0.025, cross + 0.035, bar)).block((0.025, cross, -bar), (half, cross + 0.035, bar))
     for s in SIDES:
         z0, z1 = (frame, 0.14) if s > 0 else (-0.14, -frame)
-        model.soft_block((-half - 0.08, 0, z0), (half + 0.08, 0.035, z1), 0.006)
+        model.soft_block((-half - 0.06, 0, z0), (half + 0.06, 0.035, z1), 0.006)
     model.of(STEEL).block((-0.007, 0.62, bar), (0.007, 0.74, bar + 0.02))
     model.of(GLASS)
+    into = 0.004  # the panes reach into the frame, so that no two faces lie in one plane
     for x0, x1 in ((-half, -0.025), (0.025, half)):
-        model.block((x0, 0.06, -glass), (x1, cross, glass))
-        model.block((x0, cross + 0.035, -glass), (x1, height - 0.06, glass))
+        model.block((x0 - into, 0.06 - into, -glass), (x1 + into, cross + into, glass))
+        model.block((x0 - into, cross + 0.035 - into, -glass), (x1 + into, height - 0.06 + into, glass))
 
 
 def window():

@@ -3,6 +3,29 @@ import math
 
 import geometry as g
 
+SMOOTH = math.cos(math.radians(50))  # where a profile bends less, the surface is round
+
+
+def slopes_of(rings):
+    """Returns for each part of a profile its normal (outward, upward) at its lower and at its upper end."""
+    flat = []
+    for below, above in zip(rings, rings[1:]):
+        length = math.dist(below, above)
+        flat.append(((above[1] - below[1]) / length, (below[0] - above[0]) / length))
+
+    def at(i, other, ring):
+        """The normal of part i at a ring, where it meets the other part or, at the ends, perhaps the axis."""
+        outward, upward = flat[i]
+        if 0 <= other < len(flat):
+            beside = flat[other]
+            if outward * beside[0] + upward * beside[1] > SMOOTH:
+                return (outward + beside[0], upward + beside[1])
+        elif rings[ring][0] == 0 and abs(upward) > SMOOTH:
+            return (0, math.copysign(1, upward))
+        return flat[i]
+
+    return [(at(i, i - 1, i), at(i, i + 1, i + 1)) for i in range(len(flat))]
+
 
 class Part:
     """The triangles of one surface."""
@@ -110,7 +133,9 @@ class Model:
         return self
 
     def turned(self, x, z, rings, sides=16):
-        """A round upright solid through (radius, height) rings from below, with flat ends where the radius is not 0."""
+        """A round upright solid through (radius, height) rings from below, with flat ends where the radius is not 0.
+        Where its profile bends little, or comes to its axis bluntly, it is smooth."""
+        slopes = slopes_of(rings)
         angles = [2 * math.pi * side / sides for side in range(sides)]
         around = [(math.sin(angle), math.cos(angle)) for angle in angles]
 
@@ -119,12 +144,12 @@ class Model:
             return (x + radius * s, y, z + radius * c)
 
         for i, (below, above) in enumerate(zip(rings, rings[1:])):
-            rise, narrowing = above[1] - below[1], below[0] - above[0]
             for side in range(sides):
                 corners = [(i, side)] + [(i, side + 1)] * (below[0] > 0) + [(i + 1, side + 1)]
                 corners += [(i + 1, side)] * (above[0] > 0)
                 self.face([at(*corner) for corner in corners],
-                          [(around[s % sides][0] * rise, narrowing, around[s % sides][1] * rise) for _, s in corners])
+                          [(around[s % sides][0] * slopes[i][ring - i][0], slopes[i][ring - i][1],
+                            around[s % sides][1] * slopes[i][ring - i][0]) for ring, s in corners])
         if rings[0][0] > 0:
             self.face([at(0, -1 - side) for side in range(sides)])
         if rings[-1][0] > 0:

@@ -62,7 +62,7 @@ def round_dining_table():
 def restaurant_chair():
     c = Model("restaurant_chair")
     c.of(LEATHER).soft_block((-0.21, 0.43, -0.2), (0.21, 0.49, 0.22), 0.02)
-    c.at(g.leaning(9, 0.48, -0.18)).soft_block((-0.19, 0.56, -0.2), (0.19, 0.9, -0.165), 0.016)
+    c.at(g.leaning(9, 0.48, -0.18)).soft_block((-0.19, 0.56, -0.2), (0.19, 0.93, -0.165), 0.016)
     c.of(WALNUT)
     for s in SIDES:
         c.block((s * 0.2 - 0.016, 0.43, -0.215), (s * 0.2 + 0.016, 0.94, -0.18))
