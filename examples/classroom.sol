@@ -48,6 +48,8 @@ for o in [teacher, plant, shelf]: assert(inside(o, room, 1));
 at_wall = [plant, shelf];
 for o in at_wall: assert(apart(o, board, 1), "nothing stands before the board");
 assert(apart(plant, shelf, 2));
+seat = Thing("office_chair", 6, 6, 0, teacher.x + 5, teacher.y + 8);
+for o in at_wall: assert(apart(o, seat), "there is room behind the teacher's desk");
 assert(apart(front(shelf, 10), teacher), "one can get at the shelf");
 assert(teacher.x + 16 <= board.x + 6 or teacher.x >= board.x + board_width - 6, "the teacher does not hide the board");
 
@@ -73,7 +75,7 @@ for i in 0..columns - 1 {
   }
 }
 show(teacher);
-place("office_chair", at: [teacher.x + 5, teacher.y + 8], size: [6, 6]);
+show(seat);
 place("globe", at: [teacher.x + 11, teacher.y + 1, 7.45]);
 place("blackboard", at: [board.x, room.d - 1.2, 8], size: [board_width, 1.4]);
 show_all(at_wall);

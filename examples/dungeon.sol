@@ -17,6 +17,10 @@ assert(all_apart(dungeon), "rooms do not overlap");
 from = [0] + [range(0, i - 1) for i in 1..rooms - 1];
 doors = [door_between(dungeon[from[i]], dungeon[i]) for i in 1..rooms - 1];   // doors[i - 1] leads to room i
 
+// Before and behind each door, a step of the way is its own.
+steps = [Rect(cond(d.upwards, d.x - 1, d.x), cond(d.upwards, d.y, d.y - 1), cond(d.upwards, 2, 1), cond(d.upwards, 1, 2)) for d in doors];
+assert(all_apart(steps), "doors do not stand in each other's way");
+
 locked = [range(1, rooms - 1) for k in 1..locks];        // lock k closes the door to that room
 keys = [range(0, rooms - 1) for k in 1..locks];          // and its key lies there
 aux order = [range(0, rooms - 1) for i in 1..rooms];     // in which the rooms are entered

@@ -15,6 +15,7 @@ table = Thing("table", 3, 2, range(0, 1), range(0, side), range(0, side));
 line = [fridge, sink, stove] + boards;
 
 for o in line: assert(flush(o, room), "along the back or the left wall");
+for o in line: assert(cond(o.turn == 0, o.x != 1, y2(o) != side - 1), "doors in the corner open");
 assert(inside(table, room) and all_apart(line + [table]));
 for o in line: assert(usable(o, line + [table], 2), "one can stand before it");
 assert(way_is_free(door, line + [table], 2), "one can come in");
@@ -22,6 +23,13 @@ assert(any([touching(sink, b) for b in boards]) and any([touching(stove, b) for 
 assert(not touching(fridge, stove), "the fridge stays cold");
 steps = abs(fridge.x - sink.x) + abs(fridge.y - sink.y) + abs(sink.x - stove.x) + abs(sink.y - stove.y);
 prefer(steps <= 8);
+
+// Hangs something on the wall above o, so high.
+fun show_above(o, kind, w, d, height) {
+  beside = (o.w - w) / 2;
+  at = if o.turn == 0 then [o.x + beside, o.y + 1 - d, height] else [o.x, o.y + beside, height];
+  place(kind, at: at, size: [w, d], turn: o.turn);
+}
 
 output {
   show_room(room);
@@ -32,6 +40,11 @@ output {
       if inside(chair, room) then show(chair);
     }
   }
-  for o in line: place(if o.kind == "worktop" then "counter" else o.kind, at: [o.x, o.y], size: [o.w, 1.24], turn: o.turn);
+  for o in line {
+    at = if o.turn == 0 then [o.x, o.y - 0.24] else [o.x, o.y];   // units are 62 cm deep
+    place(if o.kind == "worktop" then "counter" else o.kind, at: at, size: [o.w, 1.24], turn: o.turn);
+    if o.kind == "worktop" then show_above(o, "wall_cupboard", o.w, 0.74, 2.8);
+    if o.kind == "stove" then show_above(o, "hood", 1.2, 1, 3.2);
+  }
   print(str(steps, " steps from fridge to sink to stove"));
 }

@@ -76,7 +76,7 @@ fun show_office(office) {
   show(in_frame(office, "desk", wall, 4.6, 2.8, 1.4, 1));              // at the left wall
   show(in_frame(office, "office_chair", wall + 1.5, 5.4, 1.2, 1.2, 3));   // in the 1 m between desk and right wall
   if office.w == 8 {
-    show(in_frame(office, "bookcase", 4.3, office.d - wall - 0.7, 2.6, 0.7));
+    show(in_frame(office, "bookcase", 3.7, office.d - wall - 0.7, 2.6, 0.7));
     show(in_frame(office, "sofa", 6.0, 1.6, 3.6, 1.6, 3));
     show(in_frame(office, "plant", 6.4, office.d - wall - 1.1, 1.1, 1.1));
   }

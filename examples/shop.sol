@@ -9,7 +9,7 @@ param shelves = 6;
 unit(0.5);
 room = Rect(0, 0, width, depth);
 goods = ["bread", "milk", "fruit", "drinks", "soap", "paper"];
-colors = ["brown", "white", "green", "blue", "pink", "gray"];
+colors = ["brown", "white", "green", "blue", "pink", "yellow"];
 
 fun shelf(kind) { return Thing(kind, 5, 1, range(0, 3), range(0, width, 2), range(0, depth)); }
 stand = [shelf(goods[i % 6]) for i in 0..shelves - 1];
