@@ -1,8 +1,12 @@
-// Which walls are cut off low, so that one sees into rooms from where the camera is.
+// Which walls are cut off low, so that one sees into rooms from where the camera is, and what goes with them: as in
+// pictures (scene/picture/cutaway.cpp).
 //
 // Boxes are three.js' Box3, with y up.
-const kCutHeight = 0.3;  // metres that are left of a wall
-const kOverlap = 0.25;   // metres of a thing that a wall may hide or stand on
+const kCutHeight = 0.3;    // metres that are left of a wall
+const kTableHeight = 0.8;  // metres that are left of what stands at a wall that is cut
+const kTallest = 1.2;      // metres, of what stands there whole
+const kAtWall = 0.15;      // metres between a wall and what stands at it
+const kOverlap = 0.25;     // metres of a thing that a wall may hide or stand on
 const kMostComparisons = 1e6;
 
 function isWithin(point, box) {
@@ -28,11 +32,22 @@ function hides(wall, box, toCamera) {
   return reach[0] <= reach[1] && box.min.y < wall.max.y;
 }
 
+/** Tells whether the thing stands on the same floor as the wall, at one of its sides, and is tall. */
+function towersAt(thing, wall) {
+  if (thing.min.y > wall.min.y + kCutHeight || thing.max.y - wall.min.y < kTallest) return false;
+  const isDeep = wall.max.x - wall.min.x < wall.max.z - wall.min.z;
+  const [across, along] = isDeep ? ['x', 'z'] : ['z', 'x'];
+  const gap = Math.max(wall.min[across] - thing.max[across], thing.min[across] - wall.max[across]);
+  const middle = (thing.min[along] + thing.max[along]) / 2;
+  return gap < kAtWall && wall.min[along] < middle && middle < wall.max[along];
+}
+
 export class Cutaway {
   /** `walls` holds the addresses of the scene's walls. */
   constructor(objects, walls) {
     const isWall = new Set(walls);
-    this.walls = objects.filter((object) => isWall.has(object.address)).map((object) => ({ object, fixtures: [] }));
+    this.walls = objects.filter((object) => isWall.has(object.address))
+      .map((object) => ({ object, fixtures: [], towers: [] }));
     this.hidden = [];
     if (this.walls.length * objects.length > kMostComparisons) this.walls = [];
     for (const object of objects) {
@@ -44,19 +59,26 @@ export class Cutaway {
   heights(toCamera) {
     const heights = new Map();
     if (toCamera.y <= 0.05) return heights;
-    for (const { object, fixtures } of this.walls) {
+    for (const { object, fixtures, towers } of this.walls) {
       if (!this.hidden.some((box) => hides(object.box, box, toCamera))) continue;
-      const height = object.box.min.y + kCutHeight;
-      for (const each of [object, ...fixtures]) heights.set(each, height);
+      const foot = object.box.min.y;
+      for (const each of [object, ...fixtures]) heights.set(each, foot + kCutHeight);
+      for (const each of towers) heights.set(each, foot + kTableHeight);
     }
     return heights;
   }
 
-  /** What is in a wall goes with it; anything else may be hidden. Doors are neither: one wants to see them. */
+  /** What is in a wall goes with it; anything else may be hidden, or be too tall for a wall that is cut. */
   #sort(object) {
     const base = object.box.getCenter(object.box.min.clone()).setY(object.box.min.y);
     const around = this.walls.find((wall) => isWithin(base, wall.object.box));
-    if (!around) this.hidden.push(object.box);
-    else if (!/\bdoor/i.test(object.name)) around.fixtures.push(object);
+    if (around) {
+      around.fixtures.push(object);
+      return;
+    }
+    this.hidden.push(object.box);
+    for (const wall of this.walls) {
+      if (towersAt(object.box, wall.object.box)) wall.towers.push(object);
+    }
   }
 }

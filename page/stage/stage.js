@@ -8,6 +8,7 @@ import { Cutaway } from './cutaway.js';
 import { farObjects, hasManyTriangles } from './far.js';
 import { fitted, threeQuarterView } from './fit.js';
 import { disposeOfLighting, lightingFor, surroundings } from './lighting.js';
+import { Mats } from './mats.js';
 import { Orbit } from './orbit.js';
 import { Picker } from './picker.js';
 import { selectionMaterial, styleOf } from './styles.js';
@@ -35,7 +36,8 @@ export class Stage {
     this.camera = new PerspectiveCamera(30, 1, 0.1, 100);
     this.batches = new Batches();
     this.selection = new Group();
-    this.scene.add(this.batches.group, this.selection);
+    this.mats = new Mats();
+    this.scene.add(this.batches.group, this.mats.group, this.selection);
     this.selectionMaterial = selectionMaterial();
     this.orbit = new Orbit(this.camera, canvas, () => this.#cameraMoved());
     this.walk = new Walk(this.camera, canvas, this.batches.group, (hit) => this.#isPassable(hit),
@@ -47,7 +49,7 @@ export class Stage {
   }
 
   /** Shows a scene whose walls have these addresses. `kindOf(object)` gives the style of each: "plain", "faded",
-   * "changed" or "only". */
+   * "moved", "changed" or "only". */
   show(model, walls, kindOf = () => 'plain') {
     this.model = model;
     this.kindOf = kindOf;
@@ -56,6 +58,8 @@ export class Stage {
     this.far = new Set();
     this.hasManyTriangles = hasManyTriangles(model.objects);
     this.batches.show(model.objects, (object) => this.#style(object));
+    const moved = model.objects.filter((object) => kindOf(object) === 'moved');
+    this.mats.lay(moved.map(({ box }) => box), this.#extent());
     if (this.lighting) this.#removeLighting();
     this.lighting = lightingFor(model.box);
     this.scene.add(this.lighting);
@@ -164,6 +168,7 @@ export class Stage {
     this.walk.dispose();
     this.orbit.dispose();
     this.batches.clear();
+    this.mats.dispose();
     if (this.lighting) this.#removeLighting();
     this.selectionMaterial.dispose();
     this.scene.environment.dispose();

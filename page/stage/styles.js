@@ -38,7 +38,7 @@ function cutBelow(material, height) {
   return [{ material: variant, shadow: true }, { material: inside, shadow: false }];
 }
 
-/** Returns the text of a style that has a name ("plain", "faded", "changed" or "only"), and perhaps a height in metres
+/** Returns the text of a style that has a name ("plain", "faded", "moved", "changed" or "only"), and perhaps a height in metres
  * above which things are cut off, and whether they are far: "plain", "changed:0.3", "plain::far". */
 export function styleOf(name, height, far) {
   return [name, height?.toFixed(3) ?? '', far ? 'far' : ''].join(':').replace(/:+$/, '');

@@ -1,7 +1,7 @@
 // What differs between two solutions.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changes, compareChoices, compareObjects } from '../viewer/compare.js';
+import { changes, compareChoices, compareObjects, hasOnlyMoved } from '../viewer/compare.js';
 
 function thing(address, change = {}) {
   const made = { address, name: address, shape: 'box', paint: 'red', center: [0, 0, 0], size: [1, 1, 1], turn: 0, ...change };
@@ -27,6 +27,19 @@ test('what has the same address and looks otherwise has changed; the rest is on 
   const entries = compareObjects([thing('p'), thing('l')], [thing('p', { center: [0, 0, 2] }), thing('r', { paint: 'blue' })]);
   assert.deepEqual(kindsOf(entries), ['changed p p', 'left l ', 'right  r']);
   assert.deepEqual(entries[0].words, ['moved 2.00 m']);
+});
+
+test('what has another address and looks the same has moved', () => {
+  const chair = (address, x) => thing(address, { name: `chair[${x}]`, center: [x, 0, 0] });
+  const entries = compareObjects([chair('p', 1), chair('q', 2)], [chair('r', 3), thing('s', { shape: 'sofa' })]);
+  assert.deepEqual(entries.map(({ kind }) => kind).sort(), ['changed', 'left', 'right']);
+  assert.equal(hasOnlyMoved(entries.find(({ kind }) => kind === 'changed')), true);
+});
+
+test('what is elsewhere or larger has only moved; what looks otherwise, or is the same, has not', () => {
+  const [moved, larger, painted, same] = [{ center: [1, 0, 0] }, { size: [2, 1, 1] }, { paint: 'blue' }, {}]
+    .map((change) => compareObjects([thing('p')], [thing('p', change)])[0]);
+  assert.deepEqual([moved, larger, painted, same].map(hasOnlyMoved), [true, true, false, false]);
 });
 
 test('changes in words', () => {

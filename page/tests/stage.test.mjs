@@ -23,21 +23,25 @@ const objects = [
   { address: 'table', name: 'table', box: box(1.5, 0, 1.5, 2.5, 0.75, 2.5) },
   { address: 'window', name: 'window', box: box(1, 1, 3.95, 2, 2, 4.05) },
   { address: 'door', name: 'door', box: box(3, 0, 3.95, 3.8, 2, 4.05) },
+  { address: 'bookcase', name: 'bookcase', box: box(0.2, 0, 3.55, 1.1, 1.9, 3.85) },  // at the front wall
+  { address: 'cupboard', name: 'cupboard', box: box(1.2, 0, 3.55, 2.1, 1.1, 3.85) },  // so is this, but it is low
+  { address: 'shelf', name: 'shelf', box: box(0.2, 0, 1, 0.5, 1.9, 2) },              // tall, but away from walls
+  { address: 'sign', name: 'sign', box: box(2.4, 1.4, 3.8, 2.8, 2, 3.9) },            // hangs there
 ];
 const cutFrom = (x, y, z) => {
   const length = Math.hypot(x, y, z);
   const heights = new Cutaway(objects, ['front', 'back']).heights(point(x / length, y / length, z / length));
-  return [...heights.keys()].map(({ address }) => address);
+  return Object.fromEntries([...heights].map(([{ address }, height]) => [address, height]));
 };
 
-test('cutaway: the wall before the table goes, with its window, but not its door', () => {
-  assert.deepEqual(cutFrom(0, 1, 1), ['front', 'window']);
-  assert.deepEqual(cutFrom(0, 1, -1), ['back']);
+test('cutaway: the wall before the table goes, with its window and its door, and what towers at it', () => {
+  assert.deepEqual(cutFrom(0, 1, 1), { front: 0.3, window: 0.3, door: 0.3, bookcase: 0.8 });
+  assert.deepEqual(cutFrom(0, 1, -1), { back: 0.3 });
 });
 
 test('cutaway: from straight above, and from below, nothing is in the way', () => {
-  assert.deepEqual(cutFrom(0, 1, 0.01), []);
-  assert.deepEqual(cutFrom(0, -1, 1), []);
+  assert.deepEqual(cutFrom(0, 1, 0.01), {});
+  assert.deepEqual(cutFrom(0, -1, 1), {});
 });
 
 test('one stands in the open, near the front, and not in a thing', () => {

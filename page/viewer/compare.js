@@ -15,15 +15,21 @@ function turnedBy(from, to) {
   return (((to - from) % 360) + 540) % 360 - 180;
 }
 
+/** Tells whether an entry is of one thing that is elsewhere, or of another size, and else looks the same. */
+export function hasOnlyMoved({ kind, left, right }) {
+  return kind === 'changed' && left.shape === right.shape && left.paint === right.paint &&
+    kindOf(left.name) === kindOf(right.name);
+}
+
 /** Returns a name without the number that tells things of that name apart. */
-function kind(name) {
+function kindOf(name) {
   return name?.replace(/( \(\d+\)|\[\d+\])+$/, '');
 }
 
 /** Returns in words how one object became the other: "moved 1.50 m", "turned 90°". */
 export function changes(left, right) {
   const words = [];
-  if (kind(left.name) !== kind(right.name)) words.push(`now ${kind(right.name)}`);
+  if (kindOf(left.name) !== kindOf(right.name)) words.push(`now ${kindOf(right.name)}`);
   if (left.shape !== right.shape) words.push('another shape');
   const moved = distance(left.center, right.center);
   if (moved > kSamePlace) words.push(`moved ${metres(moved)}`);
@@ -50,14 +56,16 @@ function paired(lefts, rights, keyOf) {
 
 /** Compares the objects of two scenes: {kind, left, right, words} where kind is "same", "changed", "left" or "right".
  * What looks the same at the same place is the same, whatever its address: two chairs that changed places do not
- * differ. Of the rest, those with the same address are one object that changed. */
+ * differ. Of the rest, those with the same address are one object that changed, and then those that look the same:
+ * where a program chooses how many chairs there are, their addresses say little. */
 export function compareObjects(lefts, rights) {
   const alike = paired(lefts, rights, (object) => object.look);
   const named = paired(alike.restLeft, alike.restRight, (object) => object.address);
+  const kin = paired(named.restLeft, named.restRight, ({ name, shape, paint }) => JSON.stringify([kindOf(name), shape, paint]));
   return [
-    ...named.pairs.map((pair) => ({ kind: 'changed', ...pair, words: changes(pair.left, pair.right) })),
-    ...named.restLeft.map((left) => ({ kind: 'left', left, words: [] })),
-    ...named.restRight.map((right) => ({ kind: 'right', right, words: [] })),
+    ...[...named.pairs, ...kin.pairs].map((pair) => ({ kind: 'changed', ...pair, words: changes(pair.left, pair.right) })),
+    ...kin.restLeft.map((left) => ({ kind: 'left', left, words: [] })),
+    ...kin.restRight.map((right) => ({ kind: 'right', right, words: [] })),
     ...alike.pairs.map((pair) => ({ kind: 'same', ...pair, words: [] })),
   ];
 }

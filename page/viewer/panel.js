@@ -82,8 +82,10 @@ export class Panel {
       button(differenceText(entry, solutions), () => this.#choose(entry))));
     const rows = comparison.choices.map(({ address, left, right }) => [address, textOf(left), textOf(right)]);
     this.lists.replaceChildren(
-      section('What differs', items.length > 0 ? element('ul', { className: 'differences' }, items)
-        : element('p', {}, 'The scenes look the same.')),
+      section('What differs', ...items.length > 0
+        ? [element('p', { className: 'summary' }, `${comparison.summary(solutions)}.`),
+           element('ul', { className: 'differences' }, items)]
+        : [element('p', {}, 'The scenes look the same.')]),
       section('Choices that differ', rows.length > 0
         ? choiceTable(['choice', ...solutions.map(({ name }) => name)], rows) : element('p', {}, 'None.')));
     this.showObject(null, null);

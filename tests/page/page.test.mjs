@@ -260,6 +260,49 @@ test('two solutions side by side: what differs keeps its colour, what is the sam
   });
 });
 
+// Two tables of which one moves, two blue boxes of which one turns red, and a green one that is there or not.
+const kChanges = `
+x = range(0, 1);
+place("", at: [0, 0, 0], size: [8, 8, 0.1], color: [0.9, 0.9, 0.9], name: "floor");
+place("", at: [1 + 2 * x, 1, 0.1], size: [1, 1, 1], color: [0.05, 0.05, 0.9], name: "mover");
+place("", at: [6, 5, 0.1], size: [1, 1, 1], color: if x == 0 then [0.9, 0.75, 0.5] else [0.9, 0.85, 0.6], name: "painted");
+if x == 1 then place("", at: [2, 5, 0.1], size: [1, 1, 1], color: [0.9, 0.9, 0.9], name: "guest");
+return x;
+`;
+
+test('what moved keeps its colour and stands on an orange mat, what looks otherwise is orange, what is new is blue', async () => {
+  const address = await generated(folder.path, 'changes', kChanges, '--all', '--diversity', 'low');
+  await withPage(address, async (page) => {
+    await page.goto(`${address}#compare-1-2`);
+    await ready(page);
+    const [left, right] = [await seen(page, canvasOf(page, 0)), await seen(page, canvasOf(page, 1))];
+    assert.equal(areas(left, kColours.blue).length, 1, 'the mover');
+    assert.equal(areas(right, kColours.blue).length, 2, 'the mover and the guest');
+    for (const side of [left, right]) assert.equal(areas(side, kColours.orange, 15).length, 2, 'the mat and the painted box');
+    assert.equal(await panelOf(page).locator('.summary').textContent(),
+                 '1 moved, 1 changed, 1 only in changes-0002, 1 the same.');
+  });
+});
+
+// More than 300,000 triangles, so that what is small is drawn as boxes.
+const kField = `
+place("chair", at: [40, 100], color: [0.9, 0.02, 0.02], name: "red chair");
+for i in 0..41: for j in 0..41: place("chair", at: [2 * i, 2 * j]);
+return range(1, 2);
+`;
+
+test('of a large scene, what is so far away that it is drawn as a box can be picked', async () => {
+  const address = await generated(folder.path, 'field', kField, '-n', '1');
+  await withPage(address, async (page) => {
+    await openFirst(page);
+    await page.waitForTimeout(500);  // until the view is at rest
+    const [area] = areas(await seen(page, canvasOf(page)), kColours.red, 2);
+    assert.ok(area.pixels < 64, `${area.pixels} pixels`);
+    await canvasOf(page).click({ position: { x: area.x, y: area.y } });
+    await panelOf(page).locator('.details').getByRole('heading', { name: 'red chair' }).waitFor();
+  });
+});
+
 const kHouse = `
 place("", at: [0, 0, 0], size: [6, 5, 0.2], name: "ground");
 place("", at: [0, 0, 2.8], size: [6, 5, 0.2], name: "upper floor");
