@@ -31,6 +31,7 @@ void add_generate_options(CLI::App& command, Options& options) {
   command.add_flag("--timings", options.timings,
                    "keep the times in the .json files, which then differ from run to run");
   add_picture_options(command, options);
+  add_camera_option(command, options);
 }
 
 void add_solve_options(CLI::App& command, Options& options) {

@@ -110,6 +110,11 @@ void add_pin_options(CLI::App& command, Options& options) {
       ->needs(file);
 }
 
+/// Returns what pictures are asked for, from now on some.
+Pictures& pictures_of(Options& options) {
+  return options.pictures ? *options.pictures : options.pictures.emplace();
+}
+
 }  // namespace
 
 void add_assets_option(CLI::App& command, Options& options) {
@@ -239,16 +244,25 @@ void add_search_options(CLI::App& command, Options& options) {
 
 void add_picture_options(CLI::App& command, Options& options) {
   command.add_flag_callback(
-      "--png",
-      [&] {
-        if (!options.pictures) options.pictures.emplace();
-      },
+      "--png", [&] { pictures_of(options); },
       "also draw a picture of each scene (.png), and a contact sheet of them all (sheet.png)");
   command
       .add_option_function<std::string>(
-          "--png-size", [&](const std::string& text) { options.pictures = parse_picture_size(text); },
+          "--png-size",
+          [&](const std::string& text) { pictures_of(options).size = *parse_picture_size(text); },
           "draw pictures of so many pixels (default 640x480)")
       ->check(CLI::Validator(check_picture_size, "WIDTHxHEIGHT"));
+}
+
+void add_camera_option(CLI::App& command, Options& options) {
+  command
+      .add_option_function<Viewpoint>(
+          "--camera", [&](const Viewpoint& from) { pictures_of(options).from = from; },
+          "draw pictures from the front, the right and above (above: default), or as somebody sees it who "
+          "stands in the scene (eye: NAME-eye.png)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Viewpoint>{{"above", Viewpoint::kAbove},
+                                                                           {"eye", Viewpoint::kEye}})
+                      .description("above|eye"));
 }
 
 void add_sample_options(CLI::App& command, Options& options) {

@@ -43,7 +43,7 @@ struct Options {
   bool timings = false;
   bool resume = false;
   bool instancing = false;
-  std::optional<PictureSize> pictures;  // of the scenes
+  std::optional<Pictures> pictures;  // of the scenes or models
   bool deep = false;
   bool quiet = false;
   std::optional<double> timeout;  // seconds, for the whole run
@@ -67,8 +67,10 @@ void add_program_options(CLI::App& command, Options& options);
 void add_solver_options(CLI::App& command, Options& options);
 /// Adds the options of the subcommands that look for solutions.
 void add_search_options(CLI::App& command, Options& options);
-/// Adds the options of the subcommand that writes scenes.
+/// Adds the options of the subcommands that draw pictures.
 void add_picture_options(CLI::App& command, Options& options);
+/// Adds from where scenes are drawn.
+void add_camera_option(CLI::App& command, Options& options);
 /// Adds the folders with models.
 void add_assets_option(CLI::App& command, Options& options);
 /// Adds those of the subcommand that counts.

@@ -59,6 +59,10 @@ const fs::path& made_folder(const fs::path& folder) {
   return folder;
 }
 
+solitaire::Viewpoint viewpoint_of(Viewpoint from) {
+  return from == Viewpoint::kEye ? solitaire::Viewpoint::kEye : solitaire::Viewpoint::kAbove;
+}
+
 }  // namespace
 
 void write_glb(const Solution& solution, const Program& program, const std::string& title,
@@ -83,7 +87,7 @@ std::optional<PictureSize> parse_picture_size(const std::string& text) {
 class OutputFolder::State {
  public:
   State(const fs::path& folder, const Program& program, const SearchOptions& options, bool timings,
-        const std::optional<PictureSize>& pictures, bool instancing)
+        const std::optional<Pictures>& pictures, bool instancing)
       : folder_(folder),
         program_(program),
         options_(options),
@@ -92,8 +96,10 @@ class OutputFolder::State {
         assets_(program.state().asset_library()),
         lock_(std::in_place, made_folder(folder)),
         page_(folder, program.state().data / "page") {
-    if (pictures)
-      pictures_.emplace(folder, solitaire::PictureSize{pictures->width, pictures->height}, options.jobs);
+    if (pictures) {
+      const solitaire::PictureSize size{pictures->size.width, pictures->size.height};
+      pictures_.emplace(folder, size, options.jobs, viewpoint_of(pictures->from));
+    }
   }
 
   void resume(Search& search) {
@@ -235,7 +241,7 @@ class OutputFolder::State {
 };
 
 OutputFolder::OutputFolder(const fs::path& folder, const Program& program, const SearchOptions& options,
-                           bool timings, const std::optional<PictureSize>& pictures, bool instancing)
+                           bool timings, const std::optional<Pictures>& pictures, bool instancing)
     : state_(translated(program.state().program.sources, [&] {
         return std::make_unique<State>(folder, program, options, timings, pictures, instancing);
       })) {}

@@ -41,6 +41,29 @@ TEST_CASE("cli: --png writes the same pictures for any number of jobs, and after
   CHECK(run({"diff", "-r", place / "one", place / "parts"}).out == "");
 }
 
+TEST_CASE("cli: --camera eye draws pictures of its own beside those from above") {
+  const Workplace place;
+  place.file("scene.sol", kScene);
+  REQUIRE(generate(place, "out", {"-n", "2", "--png-size", "64x48"}).status == 0);
+  const std::string above = bytes_of(place / "out/scene-0001.png");
+  REQUIRE(generate(place, "out", {"-n", "2", "--png-size", "64x48", "--camera", "eye", "--resume"}).status ==
+          0);
+  CHECK(bytes_of(place / "out/scene-0001.png") == above);
+  CHECK(bytes_of(place / "out/scene-0001-eye.png").substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  CHECK(bytes_of(place / "out/scene-0001-eye.png") != above);
+  CHECK(fs::exists(place / "out/sheet-eye.png"));
+  CHECK(bytes_of(place / "out/index.html").find("<img src=\"./scene-0002-eye.png\"") != std::string::npos);
+
+  REQUIRE(
+      generate(place, "again", {"-n", "2", "--camera", "eye", "--png-size", "64x48", "--jobs", "2"}).status ==
+      0);
+  CHECK(bytes_of(place / "again/scene-0001-eye.png") == bytes_of(place / "out/scene-0001-eye.png"));
+  CHECK_FALSE(fs::exists(place / "again/scene-0001.png"));
+  const Outcome wrong = generate(place, "out", {"--camera", "behind"});
+  CHECK(wrong.status == 2);
+  CHECK(wrong.err.find("--camera") != std::string::npos);
+}
+
 TEST_CASE("cli: without --png there are no pictures, nor of solutions that place nothing") {
   const Workplace place;
   place.file("scene.sol", kScene);

@@ -6,6 +6,7 @@
 #include "scene/camera.h"
 #include "scene/openings.h"
 #include "scene/picture/cutaway.h"
+#include "scene/picture/eye_view.h"
 #include "scene/picture/picture.h"
 #include "scene/picture/picture_files.h"
 #include "scene/picture/png.h"
@@ -229,6 +230,35 @@ TEST_CASE("picture: the camera holds the whole scene, as near as it can") {
   }
 }
 
+TEST_CASE(
+    "picture: at eye height one stands in the room, in the open, sees what is in it, and nothing is cut") {
+  std::vector<PlacedThing> things = room();
+  for (const double x : {1.0, 2.0, 3.0}) things.push_back(placed("chair", {x, 2, 0}));
+  const Scene scene = scene_of(things);
+  TracedShapes shapes;
+  const RayScene traced(shapes, scene, std::vector<std::optional<double>>(scene.objects.size()));
+  const Camera camera = eye_view(scene, traced, 96.0 / 72);
+  CHECK(camera.position[1] == doctest::Approx(1.6).epsilon(0.02));  // above a floor that is thin
+  const double x = camera.position[0], y = -camera.position[2];
+  CHECK((x > 0 && x < 5 && y > 0 && y < 4));
+  for (std::size_t i = 1; i < scene.objects.size(); ++i) {
+    const Box3 box = bounds(scene.objects[i].box);
+    CAPTURE(i);
+    CHECK_FALSE(
+        (x > box.low[0] - 0.3 && x < box.high[0] + 0.3 && y > box.low[1] - 0.3 && y < box.high[1] + 0.3));
+  }
+  const auto pixels = pixels_of_objects(Painter().draw(scene, kSmall, Viewpoint::kEye));
+  for (std::int32_t object = 5; object <= 8; ++object) CHECK(pixels.contains(object));
+}
+
+TEST_CASE("picture: at eye height something small is looked at by somebody small, and from outside") {
+  const Scene scene = scene_of({placed("brick_4x2", {0, 0, 0}), placed("brick_2x2", {0, 0, 0.0096})});
+  const Picture picture = Painter().draw(scene, kSmall, Viewpoint::kEye);
+  CHECK(pixels_of_objects(picture).size() == 3);
+  const Picture nothing = Painter().draw(scene_of({}), kSmall, Viewpoint::kEye);
+  CHECK(pixels_of_objects(nothing).size() == 1);
+}
+
 TEST_CASE("picture: unusual scenes") {
   Painter painter;
   const auto draw = [&](const std::vector<PlacedThing>& things) {
@@ -243,6 +273,7 @@ TEST_CASE("picture: unusual scenes") {
                                 placed("", {1e6, 0, 0}, {8e6, 1e6, 1e6})}))
             .size() == 3);
   CHECK(error_of([&] { painter.draw(scene_of({}), {0, 10}); }) != "");
+  CHECK(error_of([&] { painter.draw(scene_of({}), {0, 10}, Viewpoint::kEye); }) != "");
   CHECK(error_of([&] { painter.draw(scene_of({}), {10, 0}); }) != "");
   CHECK(error_of([&] { painter.draw(scene_of({}), {1U << 20, 1U << 20}); }) != "");
 }

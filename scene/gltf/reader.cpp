@@ -21,9 +21,11 @@ constexpr int kDeepestJson = 200;                  // tinygltf recurses over ext
 std::vector<unsigned char> read_bytes(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) throw SceneError("there is no such file");
-  if (fs::file_size(file, error) > kLargestFile) throw SceneError("it is larger than 1 GiB");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (size > kLargestFile) throw SceneError("it is larger than 1 GiB");
   std::ifstream stream(file, std::ios::binary);
-  std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (!stream || bytes.empty()) throw SceneError("it is empty or cannot be read");
   return bytes;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 #include <tiny_gltf.h>
 #include <unordered_set>
 #include <utility>
@@ -40,7 +41,7 @@ class Verifier {
   const tinygltf::Node& node(int index) const { return model_.nodes[static_cast<std::size_t>(index)]; }
 
   void check_names() const {
-    std::unordered_set<std::string> names;
+    std::unordered_set<std::string_view> names;
     for (const auto& each : model_.nodes) require(names.insert(each.name).second, "the name", each.name);
   }
 

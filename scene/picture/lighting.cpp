@@ -76,37 +76,54 @@ Vector Lighting::sky(const Vector& direction) {
   return direction.y < 0 ? kGround : mixed(kHorizon, kZenith, direction.y);
 }
 
-Lighting::Lighting() {
-  for_each_sample(0, [&](std::size_t group, std::size_t number, const DiscPoint& point) {
-    const double up = std::sqrt(std::max(0.0, 1 - point.x * point.x - point.y * point.y));
-    sky_[group][number] = to_vector({point.x, up, point.y});
-  });
-  const Frame sun(to_sun());
-  for_each_sample(1, [&](std::size_t group, std::size_t number, const DiscPoint& point) {
-    const auto x = static_cast<float>(point.x), z = static_cast<float>(point.y);
-    sun_[group][number] = normalized(sun.from({x * kSunRadius, 1, z * kSunRadius}));
-  });
+Lighting::Lighting(std::size_t rounds) {
+  for (std::size_t number = 0; number < rounds; ++number) add_round(number);
   open_.sun = 1;
-  for (const auto& group : sky_) {
+  for (const auto& group : rounds_.front().sky) {
     for (const Vector& direction : group) open_.ambient += sky(direction) * (1.0F / (kGroups * kPerGroup));
   }
 }
 
+void Lighting::add_round(std::uint64_t number) {
+  Round& round = rounds_.emplace_back();
+  for_each_sample(2 * number, [&](std::size_t group, std::size_t each, const DiscPoint& point) {
+    const double up = std::sqrt(std::max(0.0, 1 - point.x * point.x - point.y * point.y));
+    round.sky[group][each] = to_vector({point.x, up, point.y});
+  });
+  const Frame sun(to_sun());
+  for_each_sample(2 * number + 1, [&](std::size_t group, std::size_t each, const DiscPoint& point) {
+    const auto x = static_cast<float>(point.x), z = static_cast<float>(point.y);
+    round.sun[group][each] = normalized(sun.from({x * kSunRadius, 1, z * kSunRadius}));
+  });
+}
+
 Light Lighting::sample(const RayScene& scene, const Vector& point, const Vector& normal, float lift,
+                       std::size_t group) const {
+  const float share = 1.0F / static_cast<float>(rounds_.size());
+  const Vector origin = point + normal * lift;
+  Light light;
+  for (const Round& round : rounds_) {
+    const Light each = sample(round, scene, origin, normal, group);
+    light.sun += each.sun * share;
+    light.ambient += each.ambient * share;
+  }
+  return light;
+}
+
+Light Lighting::sample(const Round& round, const RayScene& scene, const Vector& origin, const Vector& normal,
                        std::size_t group) const {
   constexpr float kShare = 1.0F / kPerGroup;
   Light light;
-  const Vector origin = point + normal * lift;
   const Frame frame(normal);
   std::array<Vector, kPerGroup> directions{};
-  for (std::size_t i = 0; i < kPerGroup; ++i) directions[i] = frame.from(sky_[group][i]);
+  for (std::size_t i = 0; i < kPerGroup; ++i) directions[i] = frame.from(round.sky[group][i]);
   const auto sky_free = scene.are_free(origin, directions);
   for (std::size_t i = 0; i < kPerGroup; ++i)
     light.ambient += (sky_free[i] ? sky(directions[i]) : kBounce) * kShare;
   if (dot(to_sun(), normal) < -kSunRadius) return light;
-  const auto sun_free = scene.are_free(origin, sun_[group]);
+  const auto sun_free = scene.are_free(origin, round.sun[group]);
   for (std::size_t i = 0; i < kPerGroup; ++i) {
-    if (sun_free[i] && dot(sun_[group][i], normal) > 0) light.sun += kShare;
+    if (sun_free[i] && dot(round.sun[group][i], normal) > 0) light.sun += kShare;
   }
   return light;
 }

@@ -1,5 +1,8 @@
 #pragma once
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "scene/picture/ray_scene.h"
 
@@ -22,7 +25,9 @@ class Lighting {
  public:
   static constexpr std::size_t kGroups = 16;
 
-  Lighting();
+  /// With more rounds, each group has so many times as many directions: pictures take longer, and show less
+  /// of the pattern that few directions leave on surfaces which see little of the sky.
+  explicit Lighting(std::size_t rounds = 1);
 
   /// Returns the light at a point on a surface, sampled with the directions of one group.
   Light sample(const RayScene& scene, const Vector& point, const Vector& normal, float lift,
@@ -39,9 +44,16 @@ class Lighting {
  private:
   static constexpr std::size_t kPerGroup = 4;
   using Directions = std::array<std::array<Vector, kPerGroup>, kGroups>;
+  struct Round {
+    Directions sky;  // around the y axis, as frequent as the cosine of their angle to it is large
+    Directions sun;  // from points all over the sun
+  };
 
-  Directions sky_;  // around the y axis, as frequent as the cosine of their angle to it is large
-  Directions sun_;  // from points all over the sun
+  void add_round(std::uint64_t number);
+  Light sample(const Round& round, const RayScene& scene, const Vector& origin, const Vector& normal,
+               std::size_t group) const;
+
+  std::vector<Round> rounds_;
   Light open_;
 };
 

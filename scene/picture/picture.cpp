@@ -7,6 +7,7 @@
 
 #include "scene/error.h"
 #include "scene/picture/cutaway.h"
+#include "scene/picture/eye_view.h"
 #include "scene/picture/lighting.h"
 #include "scene/picture/ray_scene.h"
 #include "scene/picture/rows.h"
@@ -30,6 +31,11 @@ constexpr std::array<std::array<float, 2>, 8> kPlaces{{{0.0625F, 0.4375F},
 /// that differ much (the matrix of Bayer, 1973).
 constexpr std::array<std::array<std::size_t, 4>, 4> kGroupOf{
     {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
+/// Within rooms, which see little of the sky, light is sampled so many times as often, and is shown brighter
+/// if there is less of it than usual: so many times at most.
+constexpr std::size_t kIndoorRounds = 4;
+constexpr double kUsualLight = 0.6;  // the mean on all that is seen, of that on open ground
+constexpr double kMostExposure = 1.7;
 constexpr int kMostPanes = 8;        // that one looks through
 constexpr std::size_t kEnough = 14;  // pixels of a square that know about a surface
 
@@ -94,8 +100,10 @@ struct Mean {
 
 class Drawing {
  public:
-  Drawing(const RayScene& scene, const Camera& camera, const PictureSize& size)
+  Drawing(const RayScene& scene, const Camera& camera, const PictureSize& size, Viewpoint from)
       : scene_(scene),
+        from_(from),
+        lighting_(from == Viewpoint::kEye ? kIndoorRounds : 1),
         eye_(camera, scene.middle(), size),
         size_(size),
         sights_(size.width * size.height),
@@ -103,6 +111,7 @@ class Drawing {
 
   Picture draw(std::size_t threads) {
     for_each_row(size_.height, threads, [&](std::size_t y) { look_at_row(y); });
+    if (from_ == Viewpoint::kEye) exposure_ = adapted_exposure();
     Picture picture;
     picture.image = Image(size_.width, size_.height);
     for_each_row(size_.height, threads, [&](std::size_t y) { color_row(y, picture.image); });
@@ -111,6 +120,22 @@ class Drawing {
   }
 
  private:
+  /// As an eye gets used to the light around it.
+  float adapted_exposure() const {
+    const auto received = [](const Light& light, const Vector& normal) {
+      const float facing = std::max(dot(normal, Lighting::to_sun()), 0.0F);
+      return static_cast<double>(light.sun * facing * Lighting::sun_color().y + light.ambient.y);
+    };
+    double sum = 0, number = 0;
+    for (std::size_t i = 0; i < sights_.size(); ++i) {
+      if (sights_[i].object < 0) continue;
+      sum += received(lights_[i], sights_[i].normal);
+      ++number;
+    }
+    const double usual = number * kUsualLight * received(lighting_.in_the_open(), {0, 1, 0});
+    return static_cast<float>(sum > 0 ? std::clamp(usual / sum, 1.0, kMostExposure) : 1);
+  }
+
   std::size_t index(std::size_t x, std::size_t y) const { return y * size_.width + x; }
 
   // ---- the middle of each pixel
@@ -205,7 +230,7 @@ class Drawing {
     if (sight.object == Sight::kGround)
       return mixed(background(), ground_shown(light, lighting_.in_the_open()), shadow_share(sight.point));
     const Vector to_viewer = normalized(eye_.origin() - sight.point);
-    return tone_mapped(shaded(*sight.finish, light, sight.normal, to_viewer));
+    return tone_mapped(shaded(*sight.finish, light, sight.normal, to_viewer) * exposure_);
   }
 
   /// Returns the mean of what the pixels around, each with another group of directions, know of this surface.
@@ -253,25 +278,37 @@ class Drawing {
   }
 
   const RayScene& scene_;
+  Viewpoint from_;
   Lighting lighting_;
   Eye eye_;
   PictureSize size_;
   std::vector<Sight> sights_;  // in the middle of each pixel
   std::vector<Light> lights_;  // there, each with its own group of directions
+  float exposure_ = 1;
 };
+
+double aspect_of(const PictureSize& size) {
+  if (!size.is_possible()) throw SceneError("a picture has at least one pixel and at most 16 million");
+  return static_cast<double>(size.width) / static_cast<double>(size.height);
+}
 
 }  // namespace
 
-Picture Painter::draw(const Scene& scene, const PictureSize& size) {
-  return draw(scene, size,
-              default_camera(scene, static_cast<double>(size.width) / static_cast<double>(size.height)));
+Picture Painter::draw(const Scene& scene, const PictureSize& size, Viewpoint from) {
+  if (from == Viewpoint::kEye) return draw_at_eye_height(scene, size);
+  return draw(scene, size, default_camera(scene, aspect_of(size)));
+}
+
+Picture Painter::draw_at_eye_height(const Scene& scene, const PictureSize& size) {
+  const double aspect = aspect_of(size);
+  const RayScene traced(shapes_, scene, std::vector<std::optional<double>>(scene.objects.size()));
+  return Drawing(traced, eye_view(scene, traced, aspect), size, Viewpoint::kEye).draw(threads_);
 }
 
 Picture Painter::draw(const Scene& scene, const PictureSize& size, const Camera& camera) {
-  if (!size.is_possible()) throw SceneError("a picture has at least one pixel and at most 16 million");
   const Vec3 to_camera{-camera.forward[0], -camera.forward[1], -camera.forward[2]};
   const RayScene traced(shapes_, scene, cut_heights(scene, to_camera));
-  return Drawing(traced, camera, size).draw(threads_);
+  return Drawing(traced, camera, size, Viewpoint::kAbove).draw(threads_);
 }
 
 }  // namespace solitaire

@@ -8,6 +8,7 @@
 #include "scene/picture/image.h"
 #include "scene/picture/picture_size.h"
 #include "scene/picture/traced_shapes.h"
+#include "scene/picture/viewpoint.h"
 #include "scene/scene.h"
 
 namespace solitaire {
@@ -27,12 +28,15 @@ class Painter {
   /// A picture is drawn by so many threads at a time; it does not depend on their number.
   explicit Painter(std::size_t threads = 1) : threads_(threads) {}
 
-  /// Draws the scene as its default camera sees it, or as the given one does, with the walls cut low that
-  /// hide something. The same scene gives the same picture, on all processors. Throws SceneError.
-  Picture draw(const Scene& scene, const PictureSize& size);
+  /// Draws the scene from above, or as the given camera sees it, with the walls cut low that hide something;
+  /// or from eye height, with nothing cut. The same scene gives the same picture, on all processors. Throws
+  /// SceneError.
+  Picture draw(const Scene& scene, const PictureSize& size, Viewpoint from = Viewpoint::kAbove);
   Picture draw(const Scene& scene, const PictureSize& size, const Camera& camera);
 
  private:
+  Picture draw_at_eye_height(const Scene& scene, const PictureSize& size);
+
   std::size_t threads_;
   TracedShapes shapes_;
 };

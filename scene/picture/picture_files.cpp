@@ -20,27 +20,33 @@ bool is_picture(const std::filesystem::path& file, const PictureSize& size) {
 
 }  // namespace
 
-PictureFiles::PictureFiles(std::filesystem::path folder, const PictureSize& size, std::size_t threads)
-    : folder_(std::move(folder)), size_(size), painter_(std::make_unique<Painter>(threads)) {}
+PictureFiles::PictureFiles(std::filesystem::path folder, const PictureSize& size, std::size_t threads,
+                           Viewpoint from)
+    : folder_(std::move(folder)), size_(size), from_(from), painter_(std::make_unique<Painter>(threads)) {}
 
 PictureFiles::~PictureFiles() = default;
 
 std::string PictureFiles::draw(const Scene& scene, const std::string& name) {
-  const std::string file = name + ".png";
-  write_file_atomically(folder_ / file, png_bytes(painter_->draw(scene, size_).image));
+  const std::string file = file_name(name);
+  write_file_atomically(folder_ / file, png_bytes(painter_->draw(scene, size_, from_).image));
   pictures_.push_back(folder_ / file);
   return file;
 }
 
 std::string PictureFiles::take_up(const Scene& scene, const std::string& name) {
-  const std::string file = name + ".png";
+  const std::string file = file_name(name);
   if (!is_picture(folder_ / file, size_)) return draw(scene, name);
   pictures_.push_back(folder_ / file);
   return file;
 }
 
 void PictureFiles::close() const {
-  if (!pictures_.empty()) write_file_atomically(folder_ / "sheet.png", png_bytes(contact_sheet(pictures_)));
+  if (pictures_.empty()) return;
+  write_file_atomically(folder_ / file_name("sheet"), png_bytes(contact_sheet(pictures_)));
+}
+
+std::string PictureFiles::file_name(const std::string& name) const {
+  return name + (from_ == Viewpoint::kEye ? "-eye.png" : ".png");
 }
 
 }  // namespace solitaire

@@ -23,16 +23,28 @@ struct PictureSize {
 /// Reads a size such as "640x480". Returns nothing for a text that is no size of a picture.
 SOLITAIRE_API std::optional<PictureSize> parse_picture_size(const std::string& text);
 
+/// From where pictures show scenes.
+enum class Viewpoint {
+  kAbove,  // from the front, the right and above, with the walls cut low that hide something
+  kEye,    // as somebody sees it who stands in the scene; the files are called NAME-eye.png
+};
+
+/// What pictures are drawn.
+struct Pictures {
+  PictureSize size;
+  Viewpoint from = Viewpoint::kAbove;
+};
+
 /// A folder with the files of a run, as docs/formats.md describes them: for each solution a scene and a .json
 /// file; a page that shows all, and what there is to say about the run as a whole. Use it from one thread at
 /// a time. All of it throws Error (kFile).
 class SOLITAIRE_API OutputFolder {
  public:
   /// Makes the folder if need be. With `timings`, files say how long things took, and then differ from run to
-  /// run. With `pictures`, each scene is drawn in that size, on as many threads as the search has jobs.
+  /// run. With `pictures`, each scene is drawn, on as many threads as the search has jobs.
   /// With `instancing`, things that look alike share a node of the .glb.
   OutputFolder(const std::filesystem::path& folder, const Program& program, const SearchOptions& options,
-               bool timings = false, const std::optional<PictureSize>& pictures = std::nullopt,
+               bool timings = false, const std::optional<Pictures>& pictures = std::nullopt,
                bool instancing = false);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
