@@ -53,7 +53,8 @@ std::string json_lines(const std::vector<Model>& models) {
 ExitStatus assets_command(const Options& options, Watchdog& watchdog) {
   const std::vector<Model> models = asked_models(options);
   std::vector<std::filesystem::path> sheets;
-  if (options.pictures) sheets = draw_models(models, options.output, options.pictures->size, files_of(options));
+  if (options.pictures)
+    sheets = draw_models(models, options.output, options.pictures->size, files_of(options));
   const auto lock = watchdog.delivering();
   print_result(options.json ? json_lines(models) : model_table(models));
   for (const auto& sheet : sheets) {
