@@ -3,6 +3,7 @@
 #include "base/installation.h"
 #include "library/data_file.h"
 #include "library/known_models.h"
+#include "library/known_tile_files.h"
 #include "library/program_files.h"
 #include "library/program_state.h"
 #include "library/translate.h"
@@ -20,7 +21,9 @@ std::shared_ptr<Program::State> state_of(const std::filesystem::path& script, co
 }
 
 LoadOptions load_options(const Program::State& state) {
-  return {{state.data, state.data / "solitaire"}, std::make_shared<KnownModels>(state.asset_library())};
+  return {{state.data, state.data / "solitaire"},
+          std::make_shared<KnownModels>(state.asset_library()),
+          std::make_shared<KnownTileFiles>(DiskFiles().canonical(state.script).parent_path())};
 }
 
 std::shared_ptr<const Program::State> loaded(const std::filesystem::path& script, const Files& files,

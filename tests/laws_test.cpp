@@ -523,6 +523,14 @@ TEST_CASE("graph: hash-consing finds equal expressions, whichever way round thei
         graph.apply(Op::kEqInt, {graph.constant(std::int64_t{2}), x}));
   CHECK(graph.apply(Op::kLtInt, {x, graph.constant(std::int64_t{10})}) == kTrue);
   CHECK(graph.phi(graph.apply(Op::kLtInt, {x, y}), x, x) == x);
+  const NodeId is_three = graph.apply(Op::kEqInt, {x, three});
+  const NodeId is_four = graph.apply(Op::kEqInt, {x, graph.constant(std::int64_t{4})});
+  const NodeId is_y = graph.apply(Op::kEqInt, {x, y});
+  CHECK(graph.conjunction(is_three, is_four) == kFalse);
+  CHECK(graph.conjunction(graph.negation(is_four), is_three) == is_three);
+  CHECK(graph.conjunction(is_four, graph.negation(is_three)) == is_four);
+  CHECK(graph.conjunction(is_four, graph.negation(is_y)) != is_four);
+  CHECK(graph.conjunction(is_four, is_y) != kFalse);
   const std::size_t size = graph.size();
   for (std::int64_t i = 0; i < 5000; ++i) graph.apply(Op::kMul, {x, graph.constant(i + 2)});
   for (std::int64_t i = 0; i < 5000; ++i) graph.apply(Op::kMul, {graph.constant(i + 2), x});

@@ -101,11 +101,27 @@ std::optional<NodeId> Graph::move_offset(Op op, NodeId a, NodeId b) {
   return std::nullopt;
 }
 
+/// Returns true if the two compare the same int with different constants.
+static bool are_of_different_values(const Graph& graph, const Graph::Node& a, const Graph::Node& b) {
+  return a.op == Op::kEqInt && b.op == Op::kEqInt && a.operands[0] == b.operands[0] &&
+         a.operands[1] != b.operands[1] && graph.node(a.operands[1]).is_constant() &&
+         graph.node(b.operands[1]).is_constant();
+}
+
 std::optional<NodeId> Graph::simplify_and(NodeId a, NodeId b) {
   if (a == kFalse || b == kFalse || opposite(a, b)) return kFalse;
   if (a == kTrue || a == b) return b;
   if (b == kTrue) return a;
-  return std::nullopt;
+  // x == 1 and x != 2 is x == 1; x == 1 and x == 2 is false. Where one of several texts is chosen, each is there
+  // where the index is its own and none of the others.
+  const Node &first = node(a), &second = node(b);
+  const bool differs_first = first.op == Op::kNot, differs_second = second.op == Op::kNot;
+  if (differs_first && differs_second) return std::nullopt;
+  if (!are_of_different_values(*this, differs_first ? node(first.operands[0]) : first,
+                               differs_second ? node(second.operands[0]) : second))
+    return std::nullopt;
+  if (differs_first) return b;
+  return differs_second ? a : kFalse;
 }
 
 std::optional<NodeId> Graph::simplify_or(NodeId a, NodeId b) {

@@ -8,6 +8,7 @@
 #include "solitaire/builtins/models.h"
 #include "solitaire/builtins/placing.h"
 #include "solitaire/builtins/text_functions.h"
+#include "solitaire/builtins/tile_functions.h"
 #include "solitaire/run/evaluation.h"
 #include "solitaire/value/chosen_list.h"
 
@@ -461,6 +462,8 @@ std::vector<Builtin> make_table() {
       {"unit", {"metres"}, 0, false, false, false, unit},
       {"size_of", {"asset", "unit"}, 1, false, false, false, size_of},
       {"has_front", {"asset"}, 1, false, false, false, has_front},
+      {"allowed", {"table", "a", "b"}, 3, false, false, false, allowed},
+      {"tile_pairs", {"exemplar"}, 1, false, false, false, tile_pairs},
   };
   for (Builtin& distribution : distribution_builtins()) table.push_back(std::move(distribution));
   return table;

@@ -33,6 +33,7 @@ Analysis analyze(const FileProvider& files, const std::filesystem::path& script,
   Program& program = analysis.program;
   program.labels.number("");  // kNoLabel
   program.models = options.models;
+  program.tile_files = options.tile_files;
   const std::vector<std::uint32_t> order = load_modules(files, script, options, program, diagnostics);
   for (const std::uint32_t module : order) resolve(program, module, diagnostics);
   for (const Module& module : program.modules) add_warnings(module.tree, diagnostics);

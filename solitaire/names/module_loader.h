@@ -17,6 +17,8 @@ struct LoadOptions {
   std::vector<std::filesystem::path> library_folders;
   /// The models that the program can place.
   std::shared_ptr<const Models> models = nullptr;
+  /// The files with tiles that the program can read.
+  std::shared_ptr<const TileFiles> tile_files = nullptr;
 };
 
 /// Reads and parses a script and what it imports, each file once, into an empty program. Files that are

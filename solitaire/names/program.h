@@ -10,6 +10,7 @@
 #include "base/name_table.h"
 #include "base/source.h"
 #include "solitaire/names/models.h"
+#include "solitaire/names/tile_pairs.h"
 #include "solitaire/syntax/syntax.h"
 
 namespace solitaire {
@@ -37,8 +38,9 @@ struct Program {
   std::vector<Module> modules;
   NameTable labels;       // the labels of all sites; the first is kNoLabel, with an empty text
   NameTable field_names;  // fields are found by the number of their name, as texts are slow to compare
-  std::shared_ptr<const Models> models;  // that it can place; null where nobody knows any
-  std::vector<Diagnostic> warnings;      // what is allowed and hardly meant, in the order of the sources
+  std::shared_ptr<const Models> models;         // that it can place; null where nobody knows any
+  std::shared_ptr<const TileFiles> tile_files;  // that it can read; null where nobody reads any
+  std::vector<Diagnostic> warnings;  // what is allowed and hardly meant, in the order of the sources
 
   /// Returns true if the function is one of the library.
   bool is_library(const Function& function) const;

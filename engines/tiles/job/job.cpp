@@ -16,7 +16,7 @@
 #include "engines/tiles/learn/patterns.h"
 #include "engines/tiles/read/exemplar.h"
 #include "engines/tiles/request/build.h"
-#include "engines/tiles/request/request_file.h"
+#include "engines/tiles/request/read_inputs.h"
 #include "engines/tiles/sample/sampler.h"
 #include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/json.h"
@@ -36,16 +36,9 @@ struct StopAtEnd {
   ~StopAtEnd() { signal.request(); }
 };
 
-bool is_problem_file(const std::string& name) { return name.ends_with(".tiles.json"); }
-
 /// Returns the request of the problem file and the options together.
 Request full_request(const JobOptions& options) {
-  Request request;
-  if (options.inputs.size() == 1 && is_problem_file(options.inputs[0])) {
-    request = read_request(options.inputs[0]);
-  } else {
-    for (const std::string& input : options.inputs) request.exemplars.push_back({input, "", false, false});
-  }
+  Request request = read_inputs(options.inputs);
   request.size = {options.width.value_or(request.size[0]), options.height.value_or(request.size[1]),
                   options.depth.value_or(request.size[2])};
   request.periodic[0] = request.periodic[0] || options.periodic_x;

@@ -189,6 +189,47 @@ def contains(run, call):
     return any(same(each, call.given["value"]) for each in a_list(call))
 
 
+def allowed(run, call):
+    for row in a_list(call, "table"):
+        if type(row) is not tuple or len(row) != 2 or type(row[1]) is not tuple:
+            raise ProgramError(call.place, "a row of a table is a value and a list")
+    a, b = call.given["a"], call.given["b"]
+    known = [others for first, others in call.given["table"] if same(first, a)]
+    return bool(known) and all(any(same(each, b) for each in others) for others in known)
+
+
+def exemplar_rows(run, call):
+    """The rows of an exemplar in the program, or of a file of text, whose tiles are named by their characters."""
+    exemplar = call.given["exemplar"]
+    if type(exemplar) is str:
+        lines = (Path(run.program.main.file).parent / exemplar).read_text(encoding="utf-8").split()
+        return [tuple(line) for line in lines]
+    rows = a_list(call, "exemplar")
+    if any(type(row) is not tuple or len(row) != len(rows[0]) for row in rows):
+        raise ProgramError(call.place, "the rows of an exemplar are equally long lists")
+    return rows
+
+
+def tile_pairs(run, call):
+    tiles = []
+    rows = exemplar_rows(run, call)
+    for tile in (tile for row in rows for tile in row):
+        if not any(same(tile, each) for each in tiles):
+            tiles.append(tile)
+
+    def table(neighbours):
+        found = [(tile, []) for tile in tiles]
+        for first, second in neighbours:
+            others = next(others for tile, others in found if same(tile, first))
+            if not any(same(each, second) for each in others):
+                others.append(second)
+        return tuple((tile, tuple(others)) for tile, others in found)
+
+    right = table(pair for row in rows for pair in zip(row, row[1:]))
+    below = table(pair for above, under in zip(rows, rows[1:]) for pair in zip(above, under))
+    return tuple(tiles), right, below
+
+
 def pairs_of(elements):
     return [(a, b) for i, a in enumerate(elements) for b in elements[i + 1 :]]
 
@@ -431,6 +472,8 @@ BUILTINS = {
         builtin("unit", "metres", unit, required=0),
         builtin("size_of", "asset unit", size_of, required=1),
         builtin("has_front", "asset", has_front),
+        builtin("allowed", "table a b", allowed),
+        builtin("tile_pairs", "exemplar", tile_pairs),
         builtin("place", "asset at size turn angle color name", place, required=0, extras=True),
     ]
 }

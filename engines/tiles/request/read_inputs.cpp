@@ -1,0 +1,14 @@
+#include "engines/tiles/request/read_inputs.h"
+
+#include "engines/tiles/request/request_file.h"
+
+namespace solitaire::tiles {
+
+Request read_inputs(const std::vector<std::string>& inputs) {
+  if (inputs.size() == 1 && inputs[0].ends_with(".tiles.json")) return read_request(inputs[0]);
+  Request request;
+  for (const std::string& input : inputs) request.exemplars.push_back({input, "", false, false});
+  return request;
+}
+
+}  // namespace solitaire::tiles
