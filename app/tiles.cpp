@@ -73,6 +73,14 @@ std::string stem(const TilesOptions& options) {
   return file.substr(0, file.find('.'));
 }
 
+/// Returns the name of a map's files without ending: town-0001, or town_12_-3 for a chunk.
+std::string name_of_map(const TilesOptions& options, std::uint64_t number) {
+  if (options.job.chunks.empty()) return fmt::format("{}-{:04}", stem(options), number);
+  std::string chunk = options.job.chunks[number - 1];
+  std::ranges::replace(chunk, ',', '_');
+  return fmt::format("{}_{}", stem(options), chunk);
+}
+
 /// How a map looks: as a picture (.png), and as a scene where that was asked for or it has models or layers.
 struct Look {
   std::string png;
@@ -126,11 +134,11 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
   std::uint64_t delivered = 0;
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
-    const std::string name = fmt::format("{}-{:04}", stem(*options.tiles), number);
+    const std::string name = name_of_map(*options.tiles, number);
     const Look look = look_of(job, options, name);
     for (const std::string& format : options.tiles->formats)
       write_map(job, options, look, options.output / fmt::format("{}.{}", name, format));
-    page.add(job, number, look.png, look.scene ? &*look.scene : nullptr);
+    page.add(job, number, name, look.png, look.scene ? &*look.scene : nullptr);
     delivered = number;
   });
   const auto lock = watchdog.delivering();
@@ -143,6 +151,8 @@ ExitStatus run_tiles(const Options& options, Watchdog& watchdog) {
   if (!options.tiles->checked.empty()) return check_map(job, options.tiles->checked);
   if (options.tiles->explained) return explain_maps(job);
   if (options.tiles->counted) return count_maps(job);
+  if (!options.tiles->learned.empty()) write_file_atomically(options.tiles->learned, job.weights());
+  if (options.tiles->job.maps == 0) return kDelivered;
   return make_maps(job, options, watchdog);
 }
 

@@ -34,8 +34,28 @@ void add_map_options(CLI::App& command, tiles::JobOptions& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("TILE,...");
   command.add_option("--from", options.from, "a map to start from; say with --redo what is made anew");
-  command.add_option("--redo", options.redo, "the box of --from that is made anew; the rest stays")
-      ->type_name("X,Y:X,Y");
+  command
+      .add_option(
+          "--redo", options.redo,
+          "what of --from is made anew, the rest stays: a box, or a .png over the map whose light parts are")
+      ->type_name("X,Y:X,Y|FILE.png");
+  command
+      .add_option(
+          "--pins", options.pin_maps,
+          "a map of Tiled (.tmx, .tmj) whose object layer \"pins\" has rectangles named TILE or TILE|TILE")
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--chunk", options.chunks,
+          "make this chunk of an endless map, as wide and high as -W and -H say, whose neighbours are those "
+          "of the same seed: 12,-3; can be given several times")
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("X,Y");
 }
 
 void add_learning_options(CLI::App& command, tiles::JobOptions& options) {
@@ -99,6 +119,9 @@ void add_tiles_options(CLI::App& command, Options& options) {
   command
       .add_option("--pixels", tiles_options.pixels, "pixels of a tile without icon in .png files (default 8)")
       ->check(CLI::Range(1, 256));
+  command.add_option(
+      "--learn", tiles_options.learned,
+      "write the weights to this .json file, for \"weights\" of a problem file; with -n 0 nothing else");
   command.add_option("--check", tiles_options.checked, "make nothing; say what is wrong with this map");
   command.add_flag("--explain", tiles_options.explained, "make nothing; say why there is no map");
   command.add_flag("--count", tiles_options.counted, "make nothing; say how many maps there are");

@@ -19,6 +19,7 @@ struct TilesOptions {
   std::vector<std::string> formats{"txt", "png"};
   int pixels = 8;                 // of a tile without an icon
   std::filesystem::path checked;  // a map that is to be checked
+  std::filesystem::path learned;  // where the weights are to be written
   bool explained = false, counted = false;
 };
 

@@ -60,10 +60,11 @@ Json choices_of(const std::vector<tiles::ShownTile>& tiles) {
 TilesPage::TilesPage(const Options& options, std::string stem)
     : options_(options), stem_(std::move(stem)), page_(options.output, find_data_folder() / "page") {}
 
-void TilesPage::add(const tiles::Job& job, std::uint64_t number, const std::string& png, const Scene* scene) {
+void TilesPage::add(const tiles::Job& job, std::uint64_t number, const std::string& name,
+                    const std::string& png, const Scene* scene) {
   GalleryEntry entry;
   entry.index = number;
-  entry.name = fmt::format("{}-{:04}", stem_, number);
+  entry.name = name;
   entry.picture = has_format("png") ? entry.name + ".png" : fmt::format("page/{}.png", entry.name);
   entry.has_sharp_pixels = true;
   entry.glb = file_of(entry.name, "glb");

@@ -21,7 +21,8 @@ class TilesPage {
 
   /// Puts the map that the job delivers onto the page, with the files that it has in `options.output`, its
   /// picture (.png) and, where it shows in 3D, its scene.
-  void add(const tiles::Job& job, std::uint64_t number, const std::string& png, const Scene* scene);
+  void add(const tiles::Job& job, std::uint64_t number, const std::string& name, const std::string& png,
+           const Scene* scene);
   /// Writes the page. Does nothing if there is no map.
   void close() const;
 

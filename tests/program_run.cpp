@@ -6,6 +6,7 @@
 
 #include "engines/thesis/published_method.h"
 #include "library/known_models.h"
+#include "library/known_tile_files.h"
 #include "tests/proof.h"
 
 namespace solitaire {
@@ -15,7 +16,8 @@ std::filesystem::path tests_folder() { return std::filesystem::path(SOLITAIRE_SO
 LoadOptions library() {
   static const std::filesystem::path source = SOLITAIRE_SOURCE_DIR;
   static const auto models = std::make_shared<api::KnownModels>(AssetLibrary(source / "assets", "."));
-  return {{source / "solitaire"}, models};
+  static const auto tile_files = std::make_shared<api::KnownTileFiles>(source / "tests" / "language");
+  return {{source / "solitaire"}, models, tile_files};
 }
 
 namespace {

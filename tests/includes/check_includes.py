@@ -23,7 +23,7 @@ ALLOWED = {
     "scene": {"base"},
     "engines": BELOW_ENGINES,
     "engines/tiles": {"base", "tracegraph", "smt", "engines"},
-    "library": BELOW_ENGINES | {"engines", "scene"},
+    "library": BELOW_ENGINES | {"engines", "engines/tiles", "scene"},
     "app": {"library", "engines/tiles", "scene", "base"},
 }
 # Programs beside the product: they may include anything, but form no circles.

@@ -6,6 +6,7 @@
 #include <zlib.h>
 
 #include "base/file_error.h"
+#include "engines/tiles/request/build.h"
 #include "engines/tiles/tiled/tileset_files.h"
 #include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/png.h"
@@ -278,6 +279,109 @@ TEST_CASE("a map of Tiled that lies about its size takes no memory") {
                                                       packed + "</data>")))) ==
           "m.tmx: a layer has packed data that are broken or of another size than it says");
   }
+}
+
+/// Grass and water by the corners of tiles: 0 is grass, 1 water, 2 has water at its right.
+const char* const kShore =
+    R"(<?xml version="1.0"?><tileset name="shore" tilewidth="2" tileheight="2" tilecount="3" columns="3">
+ <wangsets><wangset name="land" type="corner"><wangcolor name="grass"/><wangcolor name="water"/>
+ <wangtile tileid="0" wangid="0,1,0,1,0,1,0,1"/><wangtile tileid="1" wangid="0,2,0,2,0,2,0,2"/>
+ <wangtile tileid="2" wangid="0,2,0,2,0,1,0,1"/></wangset></wangsets></tileset>)";
+
+TEST_CASE("a Wang set says what may be beside what") {
+  const Land land;
+  for (const bool as_json : {false, true}) {
+    const fs::path file =
+        as_json
+            ? land.write(
+                  "shore.tsj",
+                  R"({"name": "shore", "tilewidth": 2, "tileheight": 2, "columns": 3, "wangsets": [{"colors":
+ [{"name": "grass"}, {"name": "water"}], "wangtiles": [{"tileid": 0, "wangid": [0,1,0,1,0,1,0,1]},
+ {"tileid": 1, "wangid": [0,2,0,2,0,2,0,2]}, {"tileid": 2, "wangid": [0,2,0,2,0,1,0,1]}]}]})")
+            : land.write("shore.tsx", kShore);
+    Request request;
+    request.exemplars.push_back({file, "", false, false});
+    const auto style = read_style(request);
+    REQUIRE(style->tileset.names() == std::vector<std::string>{"shore#0", "shore#1", "shore#2"});
+    const PairRules& pairs = style->pairs.front();
+    for (Tile a = 0; a < 3; ++a) {
+      for (Tile b = 0; b < 3; ++b) {
+        CAPTURE(int{a});
+        CAPTURE(int{b});
+        // To the right goes what has at its left what is at the right of the other.
+        CHECK(pairs.allowed(0, a, b) == ((a == 0) == (b != 1)));
+        CHECK(pairs.allowed(1, a, b) == (a == b));
+      }
+    }
+  }
+  Request without;
+  without.exemplars.push_back({land.write("no.tsx", kTileset), "", false, false});
+  CHECK_THROWS_AS(read_style(without), FileError);
+}
+
+TEST_CASE("the labels of a Wang set turn with their tile, and count where they are asked for") {
+  const Land land;
+  land.write("shore.tsx", kShore);
+  // The third tile as it is, and mirrored left to right: 7 and 7 with the highest bit.
+  const fs::path map =
+      land.write("bay.tmx", map_with(layer(R"(<data encoding="csv">7,6,2147483655,7,6,2147483655</data>)"),
+                                     R"(source="shore.tsx")"));
+  Request request;
+  request.exemplars.push_back({map, "", false, false});
+  const auto allowed = [&](const char* a, const char* b) {
+    const auto style = read_style(request);
+    return style->pairs.front().allowed(0, style->tileset.find(a).value(), style->tileset.find(b).value());
+  };
+  CHECK(allowed("shore#1", "shore#2!h"));
+  CHECK_FALSE(allowed("shore#2", "shore#2!h"));
+  request.pairs = PairsFrom::kBoth;
+  CHECK(allowed("shore#2", "shore#2!h"));
+  CHECK(allowed("shore#2!h", "shore#2"));
+  CHECK_FALSE(allowed("shore#1", "shore#2"));
+  request.pairs = PairsFrom::kLabels;
+  CHECK(allowed("shore#1", "shore#2!h"));
+  request.pairs = PairsFrom::kSeen;
+  CHECK_FALSE(allowed("shore#2!h", "shore#2"));
+}
+
+TEST_CASE("rectangles of the layer pins are pins, in sites") {
+  const Land land;
+  const std::string objects =
+      R"(<objectgroup name="pins"><object id="1" name="grass" x="2" y="0" width="4" height="2"/>
+ <object id="2" name="land#1|grass" x="0.1" y="1.9" width="1.9" height="2.1"/><object id="3" name="grass" x="5" y="3"><point/></object>
+</objectgroup><objectgroup name="notes"><object id="4" name="?" x="-99" y="0"/></objectgroup>)";
+  const std::string ground = layer(R"(<data encoding="csv">5,5,5,5,5,5</data>)");
+  const std::vector<TiledPin> pins = read_pins(land.write("pins.tmx", map_with(ground + objects)));
+  const fs::path as_json = land.write(
+      "pins.tmj",
+      R"({"width": 3, "height": 2, "tilewidth": 2, "tileheight": 2, "tilesets": [{"firstgid": 5, "source": "land.tsx"}],
+ "layers": [{"type": "tilelayer", "width": 3, "height": 2, "data": [5,5,5,5,5,5]}, {"type": "objectgroup", "name": "pins",
+ "objects": [{"name": "grass", "x": 2, "y": 0, "width": 4, "height": 2},
+ {"name": "land#1|grass", "x": 0.1, "y": 1.9, "width": 1.9, "height": 2.1}, {"name": "grass", "x": 5, "y": 3}]}]})");
+  for (const auto& found : {pins, read_pins(as_json)}) {
+    REQUIRE(found.size() == 3);
+    CHECK(found[0].from == Point{1, 0, 0});
+    CHECK(found[0].to == Point{3, 1, 1});
+    CHECK(found[1].from == Point{0, 1, 0});
+    CHECK(found[1].to == Point{1, 2, 1});
+    CHECK(found[1].tiles == std::vector<std::string>{"land#1", "grass"});
+    CHECK(found[2].from == Point{2, 1, 0});
+    CHECK(found[2].to == Point{3, 2, 1});
+  }
+  CHECK_THROWS_AS(read_pins(land.write("none.tmx", map_with(ground))), FileError);
+  CHECK_THROWS_AS(read_pins(land.path() / "land.tsx"), FileError);
+  for (const char* object :
+       {R"(x="-5" y="0")", R"(x="1e300" y="0")", R"(x="nan" y="0")", R"(x="0" y="0" width="-1")"}) {
+    CHECK_THROWS_AS(read_pins(land.write(
+                        "bad.tmx", map_with(ground + R"(<objectgroup name="pins"><object name="grass" )" +
+                                            object + "/></objectgroup>"))),
+                    FileError);
+  }
+  CHECK_THROWS_AS(
+      read_tileset(land.write(
+          "wild.tsx",
+          R"(<tileset><wangsets><wangset><wangtile wangid="0,9"/></wangset></wangsets></tileset>)")),
+      FileError);
 }
 
 }  // namespace

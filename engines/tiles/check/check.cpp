@@ -58,6 +58,7 @@ std::set<Pair> pairs_of(const Style& style) {
   std::set<Pair> allowed, forbidden;
   add_labelled_pairs(style, allowed);
   for (const Exemplar& exemplar : style.exemplars) {
+    if (!exemplar.negative && !style.learns_from_exemplars) continue;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       add_pairs(exemplar, axis, exemplar.negative ? forbidden : allowed);
     }

@@ -50,6 +50,20 @@ PinEntry parse_box(const std::string& text) {
   return box;
 }
 
+std::array<std::int64_t, 2> parse_far_point(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  std::array<std::int64_t, 2> point{};
+  bool fits = parts.size() == point.size();
+  for (std::size_t axis = 0; fits && axis < point.size(); ++axis) {
+    const char* const end = parts[axis].data() + parts[axis].size();
+    const auto [stop, error] = std::from_chars(parts[axis].data(), end, point.at(axis));
+    fits = error == std::errc{} && stop == end;
+  }
+  if (!fits)
+    throw RequestError(fmt::format("'{}' is no chunk; write X,Y with whole numbers, as 12,-3", text));
+  return point;
+}
+
 PinEntry parse_pin(const std::string& text) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) {

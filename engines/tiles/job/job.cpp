@@ -1,5 +1,6 @@
 #include "engines/tiles/job/job.h"
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <fmt/format.h>
@@ -11,13 +12,14 @@
 #include "engines/tiles/count/count.h"
 #include "engines/tiles/explain/explain.h"
 #include "engines/tiles/job/box_text.h"
+#include "engines/tiles/job/map_maker.h"
 #include "engines/tiles/learn/divergence.h"
-#include "engines/tiles/learn/fit.h"
-#include "engines/tiles/learn/patterns.h"
+#include "engines/tiles/learn/weights_file.h"
 #include "engines/tiles/read/exemplar.h"
+#include "engines/tiles/read/file.h"
+#include "engines/tiles/read/png.h"
 #include "engines/tiles/request/build.h"
 #include "engines/tiles/request/read_inputs.h"
-#include "engines/tiles/sample/sampler.h"
 #include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/json.h"
 #include "engines/tiles/write/png.h"
@@ -46,15 +48,31 @@ Request full_request(const JobOptions& options) {
   request.tile_side = options.tile_side.value_or(request.tile_side);
   request.weights = options.weights.value_or(request.weights);
   for (const std::string& pin : options.pins) request.pins.push_back(parse_pin(pin));
+  for (const auto& map : options.pin_maps) request.pin_maps.push_back(map);
   for (const std::string& names : options.connected) request.connected.push_back({split(names, ','), {}, {}});
   return request;
 }
 
-bool is_inside(const PinEntry& box, const Point& at) {
-  return at[0] >= box.from[0] && at[0] < box.to[0] && at[1] >= box.from[1] && at[1] < box.to[1];
+/// Returns whether each site of a map is to be made anew.
+std::vector<bool> redone_sites(const std::string& redo, const Size& size) {
+  std::vector<bool> redone;
+  redone.reserve(size.volume());
+  if (redo.ends_with(".png")) {
+    const Picture mask = read_png(redo, read_bytes(redo));
+    for_each_point(size, [&](const Point& at) {
+      const Rgba& color = mask.at_share(at[0], size.width(), at[1], size.height());
+      redone.push_back(color[3] >= 128 && std::max({color[0], color[1], color[2]}) >= 128);
+    });
+    return redone;
+  }
+  const PinEntry box = parse_box(redo);
+  for_each_point(size, [&](const Point& at) {
+    redone.push_back(at[0] >= box.from[0] && at[0] < box.to[0] && at[1] >= box.from[1] && at[1] < box.to[1]);
+  });
+  return redone;
 }
 
-/// Pins all sites of a map but those of a box.
+/// Pins all sites of a map but those that are made anew.
 void keep_rest(const JobOptions& options, int tile_side, Problem& problem) {
   if (options.from.empty() != options.redo.empty()) throw RequestError("--from and --redo go together");
   if (options.from.empty()) return;
@@ -64,26 +82,25 @@ void keep_rest(const JobOptions& options, int tile_side, Problem& problem) {
     throw RequestError(
         fmt::format("{} has another size than the maps; say its size with -W and -H", options.from.string()));
   }
-  const PinEntry box = parse_box(options.redo);
+  const std::vector<bool> redone = redone_sites(options.redo, map.size);
   const std::string text = fmt::format("it is kept from {}", options.from.string());
   for (std::uint32_t site = 0; site < map.tiles.size(); ++site) {
-    if (is_inside(box, map.size.point(site)) || map[site] == kHole) continue;
-    problem.add({text, {site}, TileMask::of(map[site])});
+    if (!redone[site] && map[site] != kHole) problem.add({text, {site}, TileMask::of(map[site])});
   }
 }
 
-/// Adds the soft factors of the samplers that have a use for them; blockss takes those of its paper.
-void learn_weights(const Request& request, const SamplerOptions& sampling, Style& style,
-                   const StopSignal& stop) {
-  const SamplerKind kind = sampling.kind;
-  if (kind == SamplerKind::kWfc || kind == SamplerKind::kRaster || kind == SamplerKind::kSearch) return;
-  const bool fitted = request.weights == WeightsKind::kFitted && !style.exemplars.empty();
-  if (fitted && kind != SamplerKind::kBlockSs) {
-    fit_weights(style, request.shapes.empty() ? default_shapes(style) : request.shapes, sampling.seed, stop);
-  } else {
-    for (const Size& shape : request.shapes) add_step_shape(style, shape, request.epsilon);
+std::vector<FarPoint> chunks_of(const JobOptions& options, const Size& size) {
+  std::vector<FarPoint> chunks;
+  for (const std::string& text : options.chunks) {
+    const FarPoint chunk = parse_far_point(text);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const std::int64_t most = kFarthest / size.extent.at(axis);
+      if (chunk.at(axis) < -most || chunk.at(axis) > most)
+        throw RequestError(fmt::format("the chunk {} is too far from the origin", text));
+    }
+    chunks.push_back(chunk);
   }
-  add_biases(style);
+  return chunks;
 }
 
 std::string size_text(const Size& size) {
@@ -99,11 +116,15 @@ struct Job::State {
         stopped(std::move(asked_to_stop)),
         request(full_request(given)),
         style(read_style(request)),
-        problem(make_problem(request, style)) {
+        problem(make_problem(request, style)),
+        maker(request, style, problem, options.sampling, chunks_of(options, problem.size())) {
     keep_rest(options, request.tile_side, problem);
+    if (!options.chunks.empty()) options.maps = options.chunks.size();
   }
 
+  void prepare();
   JobEnding make_maps(const std::function<void(std::uint64_t)>& deliver);
+  void require_one_problem() const;
   void keep(Sample&& made);
 
   /// Waits for work on another thread, and passes a wish to stop on to it.
@@ -126,6 +147,8 @@ struct Job::State {
   Request request;
   std::shared_ptr<Style> style;
   Problem problem;
+  MapMaker maker;
+  bool is_prepared = false;
   StopSignal stop;
   std::uint64_t number = 0;
   Sample sample;  // that of the number
@@ -133,29 +156,28 @@ struct Job::State {
   std::uint64_t windows = 0, left = 0, refused = 0;
 };
 
+void Job::State::prepare() {
+  if (is_prepared) return;
+  attended([this] { maker.prepare(stop); });
+  is_prepared = true;
+}
+
 JobEnding Job::State::make_maps(const std::function<void(std::uint64_t)>& deliver) {
-  attended([this] { learn_weights(request, options.sampling, *style, stop); });
-  const std::optional<Mirror> mirror = make_mirror(request, problem);
-  const Problem& drawn = mirror ? mirror->half() : problem;
-  const std::vector<TileMask> domains = attended([&] { return consistent_domains(drawn); });
+  prepare();
   StopSignal signal(&stop);
   std::deque<std::future<Sample>> running;
   const StopAtEnd stop_at_end{signal};
   std::uint64_t begun = 0;
   for (number = 1; number <= options.maps; ++number) {
     while (begun < options.maps && running.size() < options.jobs) {
-      running.push_back(std::async(std::launch::async, [&, next = ++begun] {
-        return draw_sample(drawn, domains, options.sampling, next, signal);
-      }));
+      running.push_back(
+          std::async(std::launch::async, [&, next = ++begun] { return maker.make(next, signal); }));
     }
     sample = outcome(running.front());
     running.pop_front();
     if (sample.outcome == Outcome::kStopped) return JobEnding::kStopped;
     if (sample.outcome == Outcome::kNone) return JobEnding::kNoMap;
     if (sample.outcome == Outcome::kGaveUp) return JobEnding::kGaveUp;
-    if (mirror) sample.map = mirror->unfold(sample.map);
-    const std::vector<std::string> faults = find_faults(problem, sample.map, 1);
-    if (!faults.empty()) throw std::logic_error("a map breaks the rules: " + faults.front());
     deliver(number);
     keep(std::move(sample));
   }
@@ -170,26 +192,40 @@ void Job::State::keep(Sample&& made) {
   refused += made.refused;
 }
 
+/// For questions about all maps, which have no answer where the zones of each are drawn anew.
+void Job::State::require_one_problem() const {
+  if (request.districts)
+    throw RequestError("the zones of each map are drawn anew, so that nothing holds of all maps");
+}
+
 Job::Job(const JobOptions& options, std::function<bool()> stopped)
     : state_(std::make_unique<State>(options, std::move(stopped))) {}
 Job::~Job() = default;
 
 std::vector<std::string> Job::check(const std::filesystem::path& file) const {
+  state_->require_one_problem();
   Tileset tileset = state_->style->tileset;
   return find_faults(state_->problem, read_exemplar(file, state_->request.tile_side, tileset, false));
 }
 
 std::optional<std::string> Job::count() const {
+  state_->require_one_problem();
   return state_->attended([this] { return count_maps(state_->problem, state_->stop); });
 }
 
 std::optional<std::vector<std::string>> Job::explain() const {
+  state_->require_one_problem();
   const auto reason = state_->attended([this] { return explain_no_map(state_->problem, state_->stop); });
   if (!reason) return std::nullopt;
   return reason->rules;
 }
 
 std::vector<std::string> Job::warnings() const { return tiles_that_need_a_border(state_->problem); }
+
+std::string Job::weights() {
+  state_->prepare();
+  return write_weights(*state_->style);
+}
 
 JobEnding Job::run(const std::function<void(std::uint64_t)>& deliver) {
   try {

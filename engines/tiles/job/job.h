@@ -52,6 +52,9 @@ class Job {
   /// Returns what should be known about the exemplars.
   std::vector<std::string> warnings() const;
 
+  /// Learns weights, and returns them as the text of a file that a problem file can name. Throws Interrupted.
+  std::string weights();
+
   /// Learns weights and makes maps, several at a time, and calls `deliver(number)` for each in their order,
   /// numbered from 1. Throws std::logic_error if a map breaks a rule, which is then not delivered.
   JobEnding run(const std::function<void(std::uint64_t)>& deliver);

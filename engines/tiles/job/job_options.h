@@ -21,7 +21,9 @@ struct JobOptions {
   std::vector<std::string> connected;  // TILE,TILE
   SamplerOptions sampling;
   std::filesystem::path from;  // a map of which a part is kept
-  std::string redo;            // the box of it that is made anew: X,Y:X,Y
+  std::string redo;            // what of it is made anew: the box X,Y:X,Y, or a .png whose light parts are
+  std::vector<std::filesystem::path> pin_maps;  // maps of Tiled with pins
+  std::vector<std::string> chunks;  // regions of an endless map, X,Y in chunks; then `maps` is as many
   std::uint64_t maps = 1;
   std::uint64_t jobs = 1;  // maps made at a time
 };

@@ -96,7 +96,7 @@ void learn_pairs(Style& style) {
   for (PairRules& rules : style.pairs) allow_labelled_pairs(style.tileset, rules);
   for (const bool negative : {false, true}) {
     for (const Exemplar& exemplar : style.exemplars) {
-      if (exemplar.negative != negative) continue;
+      if (exemplar.negative != negative || !(negative || style.learns_from_exemplars)) continue;
       PairRules& rules = style.pairs[exemplar.zone];
       for_each_pair(exemplar, [&](std::size_t axis, Tile first, Tile second) {
         negative ? rules.forbid(axis, first, second) : rules.allow(axis, first, second);

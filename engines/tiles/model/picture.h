@@ -22,6 +22,11 @@ struct Picture {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
   const Rgba& at(int x, int y) const { return pixels[index(x, y)]; }
+  /// Returns the pixel at a place of something of other extents, over which the picture is stretched.
+  const Rgba& at_share(int x, int of_width, int y, int of_height) const {
+    return at(static_cast<int>(std::int64_t{x} * width / of_width),
+              static_cast<int>(std::int64_t{y} * height / of_height));
+  }
   Rgba& at(int x, int y) { return pixels[index(x, y)]; }
   friend bool operator==(const Picture&, const Picture&) = default;
 };

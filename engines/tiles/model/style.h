@@ -37,6 +37,7 @@ struct SoftShape {
 struct Style {
   Tileset tileset;
   std::vector<Exemplar> exemplars;
+  bool learns_from_exemplars = true;  // their pairs are allowed; else only those whose labels meet
   std::size_t zones = 1;
   std::vector<PairRules> pairs;  // by zone; across zones a pair is allowed that one of them allows
   std::vector<SoftShape> shapes;

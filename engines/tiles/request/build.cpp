@@ -11,9 +11,11 @@
 #include "engines/tiles/request/tile_variants.h"
 #include "engines/tiles/rules/connected.h"
 #include "engines/tiles/rules/distance.h"
+#include "engines/tiles/rules/keys.h"
 #include "engines/tiles/rules/longest_run.h"
 #include "engines/tiles/rules/path.h"
 #include "engines/tiles/rules/tile_count.h"
+#include "engines/tiles/tiled/tileset_files.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -171,14 +173,12 @@ std::vector<std::uint8_t> read_zones(const ZoneMap& map, const Size& size,
   std::vector<std::uint8_t> zones;
   zones.reserve(size.volume());
   for_each_point(size, [&](const Point& at) {
-    const int x = static_cast<int>(std::int64_t{at[0]} * picture.width / size.width());
-    const int y = static_cast<int>(std::int64_t{at[1]} * picture.height / size.height());
-    const Rgba& color = picture.at(x, y);
+    const Rgba& color = picture.at_share(at[0], size.width(), at[1], size.height());
     const auto found = std::ranges::find(map.legend, color, &std::pair<Rgba, std::string>::first);
     if (found == map.legend.end()) {
       throw FileError(map.file.string(),
-                      fmt::format("the colour #{:02x}{:02x}{:02x} at ({},{}) is in no legend", color[0],
-                                  color[1], color[2], x, y));
+                      fmt::format("the colour #{:02x}{:02x}{:02x} for ({},{}) is in no legend", color[0],
+                                  color[1], color[2], at[0], at[1]));
     }
     zones.push_back(zone_number(names, found->second));
   });
@@ -222,10 +222,10 @@ std::shared_ptr<const GlobalRule> connected_rule(const ConnectedEntry& entry, co
                                      fmt::format("{} are one connected network", quoted(names)));
 }
 
-std::size_t site_of(const Point& at, const Size& size) {
+std::size_t site_of(const Point& at, const Size& size, const char* what) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (at[axis] >= size.extent[axis]) {
-      throw RequestError(fmt::format("the path's end at ({},{}) is outside of the map of {}x{}", at[0], at[1],
+      throw RequestError(fmt::format("{} at ({},{}) is outside of the map of {}x{}", what, at[0], at[1],
                                      size.width(), size.height()));
     }
   }
@@ -234,9 +234,26 @@ std::size_t site_of(const Point& at, const Size& size) {
 
 std::shared_ptr<const GlobalRule> path_rule(const PathEntry& entry, const Problem& problem) {
   return std::make_shared<Path>(problem.topology(), open_sides(entry.over, problem.style().tileset),
-                                site_of(entry.from, problem.size()), site_of(entry.to, problem.size()),
+                                site_of(entry.from, problem.size(), "the path's end"),
+                                site_of(entry.to, problem.size(), "the path's end"),
                                 fmt::format("a path leads from ({},{}) to ({},{})", entry.from[0],
                                             entry.from[1], entry.to[0], entry.to[1]));
+}
+
+/// Doors and keys are passable, also where the network does not name them.
+std::shared_ptr<const GlobalRule> keys_rule(const KeysEntry& entry, const Problem& problem) {
+  const Tileset& tileset = problem.style().tileset;
+  std::vector<Sides> open = open_sides(entry.over, tileset);
+  std::vector<std::optional<Tile>> keys(tileset.size());
+  for (const auto& [door, key] : entry.doors) {
+    const Tile closed = tile_set(tileset, {door}).lowest(), opener = tile_set(tileset, {key}).lowest();
+    keys[closed] = opener;
+    for (const Tile tile : {closed, opener}) open[tile] = open[tile] == 0 ? kAllSides : open[tile];
+  }
+  const std::size_t from = site_of(entry.from, problem.size(), "the place where one begins");
+  return std::make_shared<Keys>(problem.topology(), std::move(open), std::move(keys), from,
+                                fmt::format("all can be reached from ({},{}), the key of each door before it",
+                                            entry.from[0], entry.from[1]));
 }
 
 std::shared_ptr<const GlobalRule> run_rule(const RunEntry& entry, const Problem& problem) {
@@ -260,14 +277,30 @@ std::shared_ptr<const GlobalRule> count_rule(const CountEntry& entry, const Tile
       fmt::format("there are {} to {} of {}", entry.least, most, quoted(entry.tiles)));
 }
 
+bool is_labelled(const TileKind& kind) {
+  return std::ranges::any_of(kind.edges, [](const std::string& label) { return !label.empty(); });
+}
+
+/// Leaves only those labels and exemplars from which pairs are to be learned. The labels of Wang sets, which
+/// a map of Tiled may have for its editor alone, count where they are asked for, or where there is nothing
+/// else.
+void choose_pairs(const Request& request, Style& style) {
+  const bool labels = request.pairs ? *request.pairs != PairsFrom::kSeen : true;
+  const bool wang_sets = request.pairs ? labels : style.exemplars.empty();
+  style.learns_from_exemplars = request.pairs != PairsFrom::kLabels;
+  bool any = false;
+  for (std::size_t number = 0; number < style.tileset.size(); ++number) {
+    TileKind& kind = style.tileset[static_cast<Tile>(number)];
+    if (!(kind.gid ? wang_sets : labels)) kind.edges = {};
+    any = any || is_labelled(kind);
+  }
+  if (any || (style.learns_from_exemplars && !style.exemplars.empty())) return;
+  throw RequestError("there is no exemplar to learn from, and no tile has edges");
+}
+
 }  // namespace
 
 std::shared_ptr<Style> read_style(const Request& request) {
-  const bool labelled =
-      std::ranges::any_of(request.tiles, [](const TileEntry& entry) { return !entry.edges.empty(); });
-  if (request.exemplars.empty() && !labelled) {
-    throw RequestError("there is no exemplar to learn from, and no tile has edges");
-  }
   auto style = std::make_shared<Style>();
   add_tiles(request, style->tileset);
   const bool open = request.tiles.empty();
@@ -275,6 +308,10 @@ std::shared_ptr<Style> read_style(const Request& request) {
   if (zones.size() > kMostZones) throw RequestError(fmt::format("there are more than {} zones", kMostZones));
   style->zones = std::max<std::size_t>(1, zones.size());
   for (const ExemplarEntry& entry : request.exemplars) {
+    if (is_tileset(entry.file)) {
+      read_tiles_of(entry.file, style->tileset);
+      continue;
+    }
     Exemplar exemplar;
     exemplar.grid = read_exemplar(entry.file, request.tile_side, style->tileset, open);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -285,6 +322,7 @@ std::shared_ptr<Style> read_style(const Request& request) {
     exemplar.name = entry.file.string();
     style->exemplars.push_back(std::move(exemplar));
   }
+  choose_pairs(request, *style);
   learn_pairs(*style);
   return style;
 }
@@ -292,14 +330,25 @@ std::shared_ptr<Style> read_style(const Request& request) {
 Problem make_problem(const Request& request, std::shared_ptr<const Style> style) {
   Problem problem(std::move(style), {{request.size}, request.periodic});
   for (const PinEntry& pin : request.pins) problem.add(pin_rule(pin, problem));
+  for (const std::filesystem::path& map : request.pin_maps) {
+    for (const TiledPin& pin : read_pins(map)) problem.add(pin_rule({pin.from, pin.to, pin.tiles}, problem));
+  }
   for (const BorderEntry& border : request.borders) problem.add(border_rule(border, problem));
   if (request.zones) problem.set_zones(read_zones(*request.zones, problem.size(), zone_names(request)));
   for (const ConnectedEntry& entry : request.connected) problem.add(connected_rule(entry, problem));
   for (const RunEntry& entry : request.runs) problem.add(run_rule(entry, problem));
   for (const DistanceEntry& entry : request.distances) problem.add(distance_rule(entry, problem));
   for (const PathEntry& entry : request.paths) problem.add(path_rule(entry, problem));
+  for (const KeysEntry& entry : request.keys) problem.add(keys_rule(entry, problem));
   for (const CountEntry& entry : request.counts) problem.add(count_rule(entry, problem.style().tileset));
   return problem;
+}
+
+std::vector<std::uint8_t> zones_by_tile(const Request& request, const Tileset& coarse) {
+  const std::vector<std::string> names = zone_names(request);
+  std::vector<std::uint8_t> zones;
+  for (const std::string& tile : coarse.names()) zones.push_back(zone_number(names, tile));
+  return zones;
 }
 
 std::optional<Mirror> make_mirror(const Request& request, const Problem& problem) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,13 +85,36 @@ struct PathEntry {
   ConnectedEntry over;
 };
 
+/// Where one begins to walk, over which tiles, and which doors need which keys.
+struct KeysEntry {
+  Point from{};
+  ConnectedEntry over;
+  std::vector<std::pair<std::string, std::string>> doors;  // a door and its key
+};
+
 /// The second half of the map is the mirror image of the first. Tiles without a partner are their own.
 struct MirrorEntry {
   std::size_t axis = 0;
   std::vector<std::pair<std::string, std::string>> partners;
 };
 
-enum class WeightsKind : std::uint8_t { kStep, kFitted };
+enum class WeightsKind : std::uint8_t {
+  kStep,
+  kFitted,
+  kRead,  // from a file
+};
+
+/// Which pairs of tiles are allowed, where there are both exemplars and labels of sides.
+enum class PairsFrom : std::uint8_t { kSeen, kLabels, kBoth };
+
+struct Request;
+
+/// Zones that are drawn anew for each map: a coarse map, each of whose tiles is the zone of a square of
+/// sites.
+struct DistrictsEntry {
+  std::shared_ptr<const Request> coarse;
+  int scale = 8;  // sites of the map along a side of a coarse tile
+};
 
 /// A problem in the words of its author, before any file is read but the one that says it.
 struct Request {
@@ -102,15 +126,20 @@ struct Request {
   std::array<bool, kAxes> periodic{};
   std::vector<Size> shapes;  // of soft factors; empty: those for the kind of weights
   WeightsKind weights = WeightsKind::kFitted;
+  std::filesystem::path weights_file;  // of WeightsKind::kRead
+  std::optional<PairsFrom> pairs;      // nothing: exemplars, and what the problem file says of sides
   double epsilon = 0.1;
   std::vector<PinEntry> pins;
+  std::vector<std::filesystem::path> pin_maps;  // maps of Tiled whose object layer "pins" has pins
   std::vector<BorderEntry> borders;
   std::optional<ZoneMap> zones;
+  std::optional<DistrictsEntry> districts;
   std::vector<ConnectedEntry> connected;
   std::vector<CountEntry> counts;
   std::vector<RunEntry> runs;
   std::vector<DistanceEntry> distances;
   std::vector<PathEntry> paths;
+  std::vector<KeysEntry> keys;
   std::optional<MirrorEntry> mirror;
 };
 

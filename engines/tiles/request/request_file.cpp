@@ -25,10 +25,15 @@ Rgba color_of(JsonObject& object, const char* member) {
   return color;
 }
 
+/// Problem files may name others, for their zones, so deep at most.
+constexpr int kMostNesting = 4;
+
 /// Reads one problem file.
 class RequestReader {
  public:
-  explicit RequestReader(const fs::path& path) : name_(path.string()), folder_(path.parent_path()) {
+  /// `nesting` counts the problem files that lead here.
+  RequestReader(const fs::path& path, int nesting)
+      : name_(path.string()), folder_(path.parent_path()), nesting_(nesting) {
     json_ = parse_json(name_, read_bytes(path));
   }
 
@@ -47,6 +52,8 @@ class RequestReader {
     for (JsonObject& each : file.objects("runs")) read_run(each);
     for (JsonObject& each : file.objects("distances")) read_distance(each);
     for (JsonObject& each : file.objects("paths")) read_path(each);
+    for (JsonObject& each : file.objects("keys")) read_keys(each);
+    if (file.has("pins_from")) request_.pin_maps.push_back(path(file, "pins_from"));
     if (file.has("mirror")) read_mirror(JsonObject(name_, file.at("mirror"), "mirror"));
     if (file.has("zones")) read_zones(JsonObject(name_, file.at("zones"), "zones"));
     file.require_no_more();
@@ -122,9 +129,8 @@ class RequestReader {
   }
 
   void read_weights(JsonObject& file) {
-    const std::string kind = file.text_or("weights", "fitted");
-    if (kind != "fitted" && kind != "step") file.fail("weights", "is neither \"fitted\" nor \"step\"");
-    request_.weights = kind == "step" ? WeightsKind::kStep : WeightsKind::kFitted;
+    read_kind_of_weights(file);
+    read_pairs(file);
     if (file.has("epsilon")) request_.epsilon = file.real("epsilon", 0, 1000);
     if (!file.has("shapes")) return;
     const auto& list = file.at("shapes");
@@ -134,6 +140,27 @@ class RequestReader {
       JsonObject object(name_, as_object, fmt::format("shapes[{}]", i));
       request_.shapes.push_back({point_of(object.numbers("size", 1, 2, 3), 1)});
     }
+  }
+
+  /// "fitted", "step", or the name of a file that --learn wrote.
+  void read_kind_of_weights(JsonObject& file) {
+    const std::string kind = file.text_or("weights", "fitted");
+    if (kind == "fitted") return;
+    request_.weights = kind == "step" ? WeightsKind::kStep : WeightsKind::kRead;
+    if (kind == "step") return;
+    if (!kind.ends_with(".json"))
+      file.fail("weights", "is neither \"fitted\" nor \"step\" nor the name of a .json file with weights");
+    request_.weights_file = path(file, "weights");
+  }
+
+  void read_pairs(JsonObject& file) {
+    if (!file.has("pairs")) return;
+    const std::string from = file.text("pairs");
+    if (from != "seen" && from != "labels" && from != "both")
+      file.fail("pairs", "is neither \"seen\" nor \"labels\" nor \"both\"");
+    request_.pairs = from == "seen"     ? PairsFrom::kSeen
+                     : from == "labels" ? PairsFrom::kLabels
+                                        : PairsFrom::kBoth;
   }
 
   void read_pin(JsonObject& object) {
@@ -205,6 +232,15 @@ class RequestReader {
     request_.paths.push_back(std::move(path));
   }
 
+  void read_keys(JsonObject& object) {
+    KeysEntry keys;
+    keys.from = point_of(object.numbers("from", 0, 2, 3), 0);
+    keys.over = network_of(object);
+    keys.doors = pairs_of_texts(object, "doors", "doors and their keys");
+    object.require_no_more();
+    request_.keys.push_back(std::move(keys));
+  }
+
   void read_mirror(JsonObject object) {
     MirrorEntry mirror;
     mirror.axis = axis_of(object, "axis", object.text("axis"));
@@ -224,6 +260,7 @@ class RequestReader {
   }
 
   void read_zones(JsonObject object) {
+    if (object.has("from")) return read_districts(object);
     ZoneMap zones;
     zones.file = path(object, "mask");
     for (JsonObject& each : object.objects("legend")) {
@@ -234,14 +271,25 @@ class RequestReader {
     request_.zones = std::move(zones);
   }
 
+  void read_districts(JsonObject& object) {
+    if (nesting_ == kMostNesting)
+      object.fail("from", fmt::format("is a problem file in another one, more than {} deep", kMostNesting));
+    DistrictsEntry districts;
+    districts.coarse = std::make_shared<Request>(RequestReader(path(object, "from"), nesting_ + 1).read());
+    if (object.has("scale")) districts.scale = static_cast<int>(object.number("scale", 1, 1024));
+    object.require_no_more();
+    request_.districts = std::move(districts);
+  }
+
   std::string name_;
   fs::path folder_;
+  int nesting_;
   nlohmann::json json_;
   Request request_;
 };
 
 }  // namespace
 
-Request read_request(const fs::path& path) { return RequestReader(path).read(); }
+Request read_request(const fs::path& path) { return RequestReader(path, 0).read(); }
 
 }  // namespace solitaire::tiles

@@ -1,33 +1,8 @@
 #include "engines/tiles/rules/connected.h"
 
+#include "engines/tiles/rules/components.h"
+
 namespace solitaire::tiles {
-namespace {
-
-/// Sets of sites that are joined step by step (union by path halving).
-class Components {
- public:
-  explicit Components(std::size_t sites) : parent_(sites) {
-    for (std::uint32_t site = 0; site < sites; ++site) parent_[site] = site;
-  }
-  /// Returns true if the two were not joined before.
-  bool join(std::size_t a, std::size_t b) {
-    const std::uint32_t first = root(a), second = root(b);
-    parent_[second] = first;
-    return first != second;
-  }
-
- private:
-  std::uint32_t root(std::size_t of) {
-    auto site = static_cast<std::uint32_t>(of);
-    while (parent_[site] != site) site = parent_[site] = parent_[parent_[site]];
-    return site;
-  }
-
-  std::vector<std::uint32_t> parent_;
-};
-
-}  // namespace
-
 std::uint64_t Connected::violation(const Grid& map) const {
   Components components(map.tiles.size());
   std::uint64_t count = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <zlib.h>
 #include <zstd.h>
@@ -13,6 +14,7 @@ namespace solitaire::tiles {
 namespace {
 
 constexpr std::int64_t kMostExtent = 1 << 20;
+constexpr double kSlack = 0.1;  // of a tile, by which a rectangle may be off
 
 std::vector<std::uint32_t> decode_csv(const std::string& file, const std::string& text, std::size_t count) {
   std::vector<std::uint32_t> gids;
@@ -147,6 +149,42 @@ void TiledLayer::write_to(const std::string& file, TiledMap& map) const {
       std::copy(from, from + chunk.width, map.gids.begin() + (chunk.y - top + y) * width + chunk.x - left);
     }
   }
+}
+
+TiledPin pin_of(const std::string& file, const TiledObject& object, int tile_width, int tile_height) {
+  const auto fail = [&](const std::string& reason) {
+    throw FileError(file, fmt::format("the pin '{}' {}", object.name, reason));
+  };
+  if (tile_width < 1 || tile_height < 1) fail("is in a map that does not say how large its tiles are");
+  const double from[] = {object.x / tile_width, object.y / tile_height};
+  const double extent[] = {object.width / tile_width, object.height / tile_height};
+  TiledPin pin;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double to = from[axis] + extent[axis];
+    if (!(from[axis] >= 0 && extent[axis] >= 0 && to <= static_cast<double>(kMostExtent)))
+      fail("is at a place that cannot be");
+    // Rectangles drawn by hand are a little off. A point is a pin of the site that it is in.
+    pin.from.at(axis) = static_cast<int>(std::floor(from[axis] + kSlack));
+    pin.to.at(axis) = std::max(pin.from.at(axis) + 1, static_cast<int>(std::ceil(to - kSlack)));
+  }
+  for (std::size_t begin = 0; begin <= object.name.size();) {
+    const std::size_t end = std::min(object.name.find('|', begin), object.name.size());
+    pin.tiles.push_back(object.name.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return pin;
+}
+
+WangColors wang_colors(const std::string& file, const std::vector<std::int64_t>& ids,
+                       const std::vector<std::string>& colors) {
+  WangColors result;
+  if (ids.size() != result.size()) throw FileError(file, "a Wang set has a tile without its eight colours");
+  for (std::size_t place = 0; place < ids.size(); ++place) {
+    if (ids[place] < 0 || ids[place] > static_cast<std::int64_t>(colors.size()))
+      throw FileError(file, fmt::format("a Wang set has no colour {}", ids[place]));
+    if (ids[place] > 0) result.at(place) = colors[static_cast<std::size_t>(ids[place] - 1)];
+  }
+  return result;
 }
 
 std::filesystem::path file_beside(const std::filesystem::path& map, const std::string& named) {

@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "engines/tiles/model/grid.h"
 
 namespace solitaire::tiles {
 
@@ -14,6 +17,10 @@ inline constexpr std::uint32_t kFlipDown = 0x40000000U;
 inline constexpr std::uint32_t kFlipDiagonal = 0x20000000U;
 inline constexpr std::uint32_t kFlags = 0xf0000000U;
 
+/// The colours of a Wang set around a tile: of its top side, the corner at the top right, its right side, and
+/// so on clockwise. Empty where there is none.
+using WangColors = std::array<std::string, 8>;
+
 /// A tileset of a Tiled map.
 struct TiledTileset {
   std::uint32_t first_gid = 1;
@@ -21,6 +28,13 @@ struct TiledTileset {
   int tile_width = 0, tile_height = 0, columns = 0, spacing = 0, margin = 0;
   std::filesystem::path image;                 // empty: its tiles are single pictures, which are not read
   std::map<std::uint32_t, std::string> names;  // of tiles with a property "name", by number in the set
+  std::map<std::uint32_t, WangColors> wang;    // of tiles in the first Wang set, by number in the set
+};
+
+/// A rectangle of the object layer "pins": sites from `from` to before `to` have one of the tiles.
+struct TiledPin {
+  Point from{0, 0, 0}, to{1, 1, 1};
+  std::vector<std::string> tiles;
 };
 
 /// What is read of a map of the editor Tiled: its one visible layer of tiles.
@@ -28,6 +42,7 @@ struct TiledMap {
   int width = 0, height = 0;
   std::vector<std::uint32_t> gids;  // in rows from the top; 0 where no tile is
   std::vector<TiledTileset> tilesets;
+  std::vector<TiledPin> pins;
 };
 
 /// Collects the layer of a map that may be in chunks.
@@ -53,6 +68,20 @@ class TiledLayer {
 std::vector<std::uint32_t> decode_gids(const std::string& file, const std::string& text,
                                        const std::string& encoding, const std::string& compression,
                                        std::size_t count);
+
+/// A rectangle in pixels, as Tiled has it.
+struct TiledObject {
+  std::string name;
+  double x = 0, y = 0, width = 0, height = 0;
+};
+/// Returns the pin that an object of the layer "pins" is, whose name has tiles with | between them, in a map
+/// whose tiles have so many pixels. Throws FileError.
+TiledPin pin_of(const std::string& file, const TiledObject& object, int tile_width, int tile_height);
+
+/// Returns the colours that a Wang set gives to a tile: `ids` are numbers of its colours from 1, or 0. Throws
+/// FileError.
+WangColors wang_colors(const std::string& file, const std::vector<std::int64_t>& ids,
+                       const std::vector<std::string>& colors);
 
 /// Returns a file that a map names, which must be in the map's folder or below. Throws FileError.
 std::filesystem::path file_beside(const std::filesystem::path& map, const std::string& named);

@@ -1,5 +1,6 @@
 #include "engines/tiles/tiled/tileset_files.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -10,6 +11,37 @@
 
 namespace solitaire::tiles {
 namespace {
+
+/// Returns the colours around a tile that is turned as its flags say. They stand around a square of 3x3
+/// places.
+WangColors turned(const WangColors& colors, std::uint32_t gid) {
+  static constexpr std::array<std::array<int, 2>, 8> kPlaces{
+      {{1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {0, 0}}};
+  WangColors result;
+  for (std::size_t place = 0; place < kPlaces.size(); ++place) {
+    auto [x, y] = kPlaces.at(place);
+    if ((gid & kFlipAcross) != 0) x = 2 - x;
+    if ((gid & kFlipDown) != 0) y = 2 - y;
+    if ((gid & kFlipDiagonal) != 0) std::swap(x, y);
+    const auto from = std::ranges::find(kPlaces, std::array<int, 2>{x, y});
+    result.at(place) = colors.at(static_cast<std::size_t>(from - kPlaces.begin()));
+  }
+  return result;
+}
+
+/// Returns the labels of a tile's sides: what its Wang set says of the corner before, the side, and the
+/// corner behind it, clockwise. A side of which it says nothing has the label "none".
+std::array<std::string, 2 * kAxes> edges_of(const WangColors& colors) {
+  constexpr std::size_t kRight = 2, kBottom = 4, kLeft = 6, kTop = 0;
+  const auto label = [&](std::size_t side) {
+    std::string text;
+    for (const std::size_t place : {(side + 7) % 8, side, side + 1}) {
+      if (!colors.at(place).empty()) text += (text.empty() ? "" : "|") + colors.at(place);
+    }
+    return text.empty() ? "none" : text;
+  };
+  return {label(kRight), label(kLeft), label(kBottom), label(kTop), "", ""};
+}
 
 /// The tiles of a map's tilesets, with their pictures.
 class TiledTiles {
@@ -40,6 +72,8 @@ class TiledTiles {
     kind.gid = gid & ~0x10000000U;
     kind.icon = icon(tileset, pictures_[set], id, gid);
     kind.color = kind.icon.empty() ? palette_color(number) : mean_color(kind.icon);
+    if (const auto wang = tileset.wang.find(id); wang != tileset.wang.end())
+      kind.edges = edges_of(turned(wang->second, gid));
     return kind;
   }
 
@@ -83,6 +117,37 @@ class TiledTiles {
 
 TiledTileset read_tileset(const std::filesystem::path& path) {
   return path.extension() == ".tsj" || path.extension() == ".json" ? read_tsj(path) : read_tsx(path);
+}
+
+bool is_tileset(const std::filesystem::path& file) {
+  return file.extension() == ".tsx" || file.extension() == ".tsj";
+}
+
+void read_tiles_of(const std::filesystem::path& path, Tileset& tileset) {
+  TiledMap map;
+  map.tilesets.push_back(read_tileset(path));
+  if (map.tilesets.front().wang.empty())
+    throw FileError(path.string(),
+                    "has no Wang set, which would say what may be beside what; name a map that uses it");
+  const TiledTiles tiles(path, map);
+  for (const auto& [id, colors] : map.tilesets.front().wang) {
+    TileKind kind = tiles.kind(id + 1, tileset.size());
+    if (tileset.find(kind.name)) continue;
+    try {
+      tileset.add(std::move(kind));
+    } catch (const std::length_error& error) {
+      throw FileError(path.string(), error.what());
+    }
+  }
+}
+
+std::vector<TiledPin> read_pins(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending != ".tmx" && ending != ".tmj")
+    throw FileError(path.string(), "is no map of Tiled (.tmx, .tmj), whose object layer \"pins\" has pins");
+  TiledMap map = ending == ".tmj" ? read_tmj(path, read_bytes(path)) : read_tmx(path, read_bytes(path));
+  if (map.pins.empty()) throw FileError(path.string(), "has no object layer \"pins\" with rectangles");
+  return std::move(map.pins);
 }
 
 Grid read_tiled(const std::filesystem::path& path, Tileset& tileset, bool open) {

@@ -14,6 +14,42 @@ int small_number(JsonObject& object, const char* member) {
   return object.has(member) ? static_cast<int>(object.number(member, -kLargestExtent, kLargestExtent)) : 0;
 }
 
+/// Reads the first Wang set of a tileset, if there is one.
+void read_wang_set(const std::string& file, JsonObject& tileset, TiledTileset& to) {
+  std::vector<JsonObject> sets = tileset.objects("wangsets");
+  if (sets.empty()) return;
+  std::vector<std::string> colors;
+  for (JsonObject& color : sets.front().objects("colors")) {
+    const std::string name = color.text_or("name", "");
+    colors.push_back(name.empty() ? fmt::format("colour {}", colors.size() + 1) : name);
+  }
+  for (JsonObject& tile : sets.front().objects("wangtiles")) {
+    const nlohmann::json& ids = tile.at("wangid");
+    std::vector<std::int64_t> numbers;
+    for (const nlohmann::json& id : ids) {
+      if (!id.is_number_unsigned() || id.get<std::uint64_t>() > UINT32_MAX)
+        tile.fail("wangid", "has what is no colour");
+      numbers.push_back(id.get<std::int64_t>());
+    }
+    to.wang[static_cast<std::uint32_t>(tile.number("tileid", 0, UINT32_MAX))] =
+        wang_colors(file, numbers, colors);
+  }
+}
+
+double coordinate(JsonObject& object, const char* member) {
+  return object.has(member) ? object.real(member, -1e9, 1e9) : 0;
+}
+
+void read_pin_layer(const std::string& file, JsonObject& root, JsonObject& layer, TiledMap& map) {
+  const int width = small_number(root, "tilewidth"), height = small_number(root, "tileheight");
+  for (JsonObject& object : layer.objects("objects")) {
+    map.pins.push_back(pin_of(file,
+                              {object.text_or("name", ""), coordinate(object, "x"), coordinate(object, "y"),
+                               coordinate(object, "width"), coordinate(object, "height")},
+                              width, height));
+  }
+}
+
 TiledTileset tileset_of(JsonObject& object, const std::filesystem::path& file) {
   TiledTileset tileset;
   tileset.name = object.text_or("name", "");
@@ -29,6 +65,7 @@ TiledTileset tileset_of(JsonObject& object, const std::filesystem::path& file) {
       if (property.text_or("name", "") == "name") tileset.names[id] = property.text("value");
     }
   }
+  read_wang_set(file.string(), object, tileset);
   return tileset;
 }
 
@@ -79,6 +116,8 @@ TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes) {
   TiledLayer layer;
   int layers = 0;
   for (JsonObject& each : root.objects("layers")) {
+    if (each.text_or("type", "") == "objectgroup" && each.text_or("name", "") == "pins")
+      read_pin_layer(file, root, each, map);
     if (each.text_or("type", "") != "tilelayer" || (each.has("visible") && !each.flag("visible"))) continue;
     if (++layers > 1) throw FileError(file, "has several visible layers; hide all but one");
     for (JsonObject& chunk : each.objects("chunks")) read_data(file, each, chunk, layer);

@@ -1,3 +1,4 @@
+#include <charconv>
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
@@ -17,6 +18,32 @@ pugi::xml_document parse_xml(const std::string& file, const std::string& text) {
   return document;
 }
 
+std::vector<std::int64_t> numbers_of(const std::string& list) {
+  std::vector<std::int64_t> numbers;
+  const char* at = list.data();
+  const char* const end = at + list.size();
+  for (std::int64_t number = 0; at < end; ++at) {
+    const auto [stop, error] = std::from_chars(at, end, number);
+    if (error != std::errc{}) return {};
+    numbers.push_back(number);
+    at = stop;
+  }
+  return numbers;
+}
+
+/// Reads the first Wang set of a tileset, if there is one.
+void read_wang_set(const std::string& file, const pugi::xml_node& set, TiledTileset& tileset) {
+  std::vector<std::string> colors;
+  for (const pugi::xml_node& color : set.children("wangcolor")) {
+    const std::string name = color.attribute("name").as_string();
+    colors.push_back(name.empty() ? fmt::format("colour {}", colors.size() + 1) : name);
+  }
+  for (const pugi::xml_node& tile : set.children("wangtile")) {
+    tileset.wang[tile.attribute("tileid").as_uint()] =
+        wang_colors(file, numbers_of(tile.attribute("wangid").as_string()), colors);
+  }
+}
+
 TiledTileset tileset_of(const pugi::xml_node& node, const std::filesystem::path& file) {
   TiledTileset tileset;
   tileset.name = node.attribute("name").as_string();
@@ -32,6 +59,7 @@ TiledTileset tileset_of(const pugi::xml_node& node, const std::filesystem::path&
     const pugi::xml_node name = tile.child("properties").find_child_by_attribute("property", "name", "name");
     if (name) tileset.names[tile.attribute("id").as_uint()] = name.attribute("value").as_string();
   }
+  read_wang_set(file.string(), node.child("wangsets").child("wangset"), tileset);
   return tileset;
 }
 
@@ -50,6 +78,20 @@ void read_data(const std::string& file, const pugi::xml_node& data, const pugi::
     gids = decode_gids(file, data.child_value(), encoding, compression, count);
   }
   layer.add(file, holder.attribute("x").as_llong(), holder.attribute("y").as_llong(), width, height, gids);
+}
+
+void read_pin_layers(const std::string& file, const pugi::xml_node& root, TiledMap& map) {
+  const int width = root.attribute("tilewidth").as_int(), height = root.attribute("tileheight").as_int();
+  for (const pugi::xml_node& group : root.children("objectgroup")) {
+    if (group.attribute("name").as_string() != std::string("pins")) continue;
+    for (const pugi::xml_node& object : group.children("object")) {
+      map.pins.push_back(pin_of(file,
+                                {object.attribute("name").as_string(), object.attribute("x").as_double(),
+                                 object.attribute("y").as_double(), object.attribute("width").as_double(),
+                                 object.attribute("height").as_double()},
+                                width, height));
+    }
+  }
 }
 
 }  // namespace
@@ -91,6 +133,7 @@ TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes) {
     }
   }
   layer.write_to(file, map);
+  read_pin_layers(file, root, map);
   return map;
 }
 
