@@ -12,7 +12,9 @@ std::vector<std::vector<std::uint32_t>> followers(const tiles::Style& style, std
   std::vector<std::vector<std::uint32_t>> result(style.tileset.size());
   for (std::size_t first = 0; first < result.size(); ++first) {
     const auto tile = static_cast<tiles::Tile>(first);
-    style.pairs.front().beside(tile, axis, 1).for_each([&](tiles::Tile next) { result[first].push_back(next); });
+    style.pairs.front().beside(tile, axis, 1).for_each([&](tiles::Tile next) {
+      result[first].push_back(next);
+    });
   }
   return result;
 }

@@ -112,8 +112,8 @@ std::optional<NodeId> Graph::simplify_and(NodeId a, NodeId b) {
   if (a == kFalse || b == kFalse || opposite(a, b)) return kFalse;
   if (a == kTrue || a == b) return b;
   if (b == kTrue) return a;
-  // x == 1 and x != 2 is x == 1; x == 1 and x == 2 is false. Where one of several texts is chosen, each is there
-  // where the index is its own and none of the others.
+  // x == 1 and x != 2 is x == 1; x == 1 and x == 2 is false. Where one of several texts is chosen, each is
+  // there where the index is its own and none of the others.
   const Node &first = node(a), &second = node(b);
   const bool differs_first = first.op == Op::kNot, differs_second = second.op == Op::kNot;
   if (differs_first && differs_second) return std::nullopt;

@@ -59,7 +59,8 @@ struct Row {
 Row row_of(Evaluator& evaluator, Call call, const Value& row) {
   const List* parts = row.as_list();
   if (parts == nullptr || parts->items.size() != 2 || parts->items[1].as_list() == nullptr)
-    evaluator.program_error(call.site.span, "'allowed' needs a table of rows [value, [values that may follow it]]");
+    evaluator.program_error(call.site.span,
+                            "'allowed' needs a table of rows [value, [values that may follow it]]");
   return {parts->items[0], parts->items[1]};
 }
 
@@ -81,8 +82,8 @@ NodeId any_of(Graph& graph, const ChosenText& text, Items texts) {
   return found;
 }
 
-/// For each text, that one of those goes with it which the table has: the support of a value (Gent 2002), as a
-/// solver likes it best.
+/// For each text, that one of those goes with it which the table has: the support of a value (Gent 2002), as
+/// a solver likes it best.
 Value allowed_texts(Evaluator& evaluator, Call call, Items rows) {
   Graph& graph = evaluator.graph();
   const ChosenText a(call.arguments[1]), b(call.arguments[2]);
@@ -109,8 +110,8 @@ Value allowed_values(Evaluator& evaluator, Call call, Items rows) {
     const Value here = evaluator.equal(first, call.arguments[1], span);
     if (const bool* is_here = here.plain<bool>(); is_here != nullptr && !*is_here) continue;
     known = evaluator.either(known, here);
-    all = evaluator.both(all, evaluator.either(evaluator.invert(here),
-                                               evaluator.is_among(others, call.arguments[2], span)));
+    all = evaluator.both(
+        all, evaluator.either(evaluator.invert(here), evaluator.is_among(others, call.arguments[2], span)));
   }
   return evaluator.both(known, all);
 }
@@ -121,7 +122,7 @@ Value allowed(Evaluator& evaluator, Call call) {
   return evaluator.with_items(call.arguments[0], "allowed", call.site.span, [&](Items rows) {
     evaluator.step(call.site.span, rows.size());
     return are_chosen_texts(evaluator, call, rows) ? allowed_texts(evaluator, call, rows)
-                                            : allowed_values(evaluator, call, rows);
+                                                   : allowed_values(evaluator, call, rows);
   });
 }
 
@@ -135,8 +136,7 @@ Value table_of(Evaluator& evaluator, Items tiles, const Followers& followers, Sp
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
     std::vector<Value> others;
     for (const std::uint32_t other : followers[tile]) others.push_back(tiles[other]);
-    rows.push_back(
-        evaluator.make_list({tiles[tile], evaluator.make_list(std::move(others), span)}, span));
+    rows.push_back(evaluator.make_list({tiles[tile], evaluator.make_list(std::move(others), span)}, span));
   }
   return evaluator.make_list(std::move(rows), span);
 }
@@ -225,9 +225,8 @@ Value tile_pairs(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
   return evaluator.each_shape(call.arguments[0], [&](const Value& exemplar) -> Value {
     if (const String* file = exemplar.object<String>()) return pairs_of_file(evaluator, file->text, span);
-    return evaluator.with_items(exemplar, "tile_pairs", span, [&](Items rows) {
-      return ListedExemplar(evaluator, span).pairs(rows);
-    });
+    return evaluator.with_items(exemplar, "tile_pairs", span,
+                                [&](Items rows) { return ListedExemplar(evaluator, span).pairs(rows); });
   });
 }
 

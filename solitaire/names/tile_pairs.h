@@ -13,8 +13,8 @@ struct TilePairs {
   std::vector<std::vector<std::uint32_t>> below;         // by tile: those that may be below it
 };
 
-/// Knows the pairs of tiles that files tell: exemplars, and problem files of `solitaire tiles`. Several threads
-/// may ask it at a time.
+/// Knows the pairs of tiles that files tell: exemplars, and problem files of `solitaire tiles`. Several
+/// threads may ask it at a time.
 class TileFiles {
  public:
   virtual ~TileFiles() = default;
