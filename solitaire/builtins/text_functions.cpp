@@ -15,25 +15,31 @@ using Call = const BuiltinCall&;
 /// How many texts a value that depends on choices may have. Beyond, only executions know the text.
 constexpr std::int64_t kMostChosenTexts = 256;
 
-/// The text of a value that is no union; of a chosen bool or int a union of the texts of its values.
-Value text_of_shape(Evaluator& evaluator, const Value& x, Span span) {
-  if (x.object<String>() != nullptr) return x;
+/// The text that `write` gives for a value that is no union; of a chosen bool or int a union of the texts of
+/// its values.
+template <typename Write>
+Value written(Evaluator& evaluator, const Value& x, Span span, Write write) {
   evaluator.count_parts(x, span);
   const Symbol* symbol = x.get<Symbol>();
-  if (symbol == nullptr && is_known(x)) return Value::string(to_text(evaluator.fixed(x, span)));
+  if (symbol == nullptr && is_known(x)) return Value::string(write(evaluator.fixed(x, span)));
   if (symbol == nullptr) return evaluator.opaque_string(span);
   Graph& graph = evaluator.graph();
   if (symbol->type == Type::kBool)
-    return merge(graph, symbol->node, Value::string("true"), Value::string("false"));
+    return merge(graph, symbol->node, Value::string(write(true)), Value::string(write(false)));
   const Interval interval = graph.node(symbol->node).interval;
   if (symbol->type == Type::kFloat || interval.hi - interval.lo >= kMostChosenTexts)
     return evaluator.opaque_string(span);
-  Value text = Value::string(std::to_string(interval.hi));
+  Value text = Value::string(write(interval.hi));
   for (std::int64_t i = interval.hi - 1; i >= interval.lo; --i) {
     const NodeId is = graph.apply(Op::kEqInt, {symbol->node, graph.constant(i)});
-    text = merge(graph, is, Value::string(std::to_string(i)), text);
+    text = merge(graph, is, Value::string(write(i)), text);
   }
   return text;
+}
+
+Value text_of_shape(Evaluator& evaluator, const Value& x, Span span) {
+  if (x.object<String>() != nullptr) return x;
+  return written(evaluator, x, span, [](const Value& known) { return to_text(known); });
 }
 
 Value text_of(Evaluator& evaluator, const Value& value, Span span) {
@@ -118,22 +124,24 @@ std::string padded(const Field& field, const std::string& text) {
   return field.left ? text + space : space + text;
 }
 
+std::string in_field(const Field& field, const Value& known) {
+  if (field.decimals) {
+    const auto* i = known.get<std::int64_t>();
+    const double number = i != nullptr ? static_cast<double>(*i) : *known.get<double>();
+    return padded(field, fmt::format("{:.{}f}", number, *field.decimals));
+  }
+  const String* text = known.object<String>();
+  return padded(field, text != nullptr ? text->text : to_text(known));
+}
+
 /// The text of a value in a field that says how.
 Value field_text(Evaluator& evaluator, const Field& field, const Value& value, Span span) {
   if (field.is_plain()) return text_of(evaluator, value, span);
   if (value.is<Joined>()) return evaluator.opaque_string(span);
-  return evaluator.each_shape(value, [&](const Value& one) -> Value {
+  return evaluator.each_shape(value, [&](const Value& one) {
     if (field.decimals && !one.is_number())
       evaluator.program_error(span, fmt::format("decimals are for numbers, not for {}", describe(one)));
-    if (one.get<Symbol>() != nullptr || !is_known(one)) return evaluator.opaque_string(span);
-    evaluator.fixed(one, span);
-    if (field.decimals) {
-      const auto* i = one.get<std::int64_t>();
-      const double number = i != nullptr ? static_cast<double>(*i) : *one.get<double>();
-      return Value::string(padded(field, fmt::format("{:.{}f}", number, *field.decimals)));
-    }
-    const String* text = one.object<String>();
-    return Value::string(padded(field, text != nullptr ? text->text : to_text(one)));
+    return written(evaluator, one, span, [&](const Value& known) { return in_field(field, known); });
   });
 }
 

@@ -10,40 +10,44 @@ using fmt::format;
 
 std::string Expressions::list(int depth) {
   const int d = depth + 1;
-  return pick(depth, {
-                         {5,
-                          [&] {
-                            return draft_.variable_or(
-                                Kind::kList, [&] { return format("[{}, {}]", literal(), literal()); });
-                          }},
-                         {3, [&] { return list_of(Kind::kInt, d, draft_.number(0, 3)); }},
-                         {2, [&] { return comprehension(depth); }},
-                         {1, [&] { return format("({} + {})", list(d), list_of(Kind::kInt, d, 1)); }},
-                         {1,
-                          [&] {
-                            return format("({}..{})", draft_.number(-1, 1),
-                                          draft_.one_in(2) ? format("({} % 4)", integer(d)) : literal());
-                          }},
-                         {2, [&] { return either(Kind::kList, depth); }},
-                         {1, [&] { return format("{}({})", draft_.one_in(2) ? "reverse" : "cdr", list(d)); }},
-                         {1, [&] { return format("cons({}, {})", integer(d), list(d)); }},
-                         {1, [&] { return format("({} + [0, 1])[[{} % 2, 0]]", list(d), integer(d)); }},
-                         {1, [&] { return format("({} + [1])[{}..0]", list(d), index(depth)); }},
-                         {1,
-                          [&] {
-                            return format("({} + [1, 2])[{}..{}]", list(d), draft_.number(0, 1),
-                                          draft_.one_in(2) ? "1" : format("({} % 2)", integer(d)));
-                          }},
-                         {1, [&] { return format("sort({})", list(d)); }},
-                         {1, [&] { return format("sort({}, key: {})", list(d), function(d)); }},
-                         {1, [&] { return format("map({}, {})", function(d), list(d)); }},
-                         {1, [&] { return format("filter({}, {})", predicate(depth), list(d)); }},
-                         {1, [&] { return format("{}.b", record(d)); }},
-                         {1, [&] { return format("{}[{}]", nested(d), index(depth)); }},
-                         {1, [&] { return format("choose([{}, {}])", list(d), list(d)); }},
-                         {1, [&] { return call(Kind::kList, depth); }},
-                         {1, [&] { return use_mixed(Kind::kList, depth); }},
-                     });
+  return pick(depth,
+              {
+                  {5,
+                   [&] {
+                     return draft_.variable_or(Kind::kList,
+                                               [&] { return format("[{}, {}]", literal(), literal()); });
+                   }},
+                  {3, [&] { return list_of(Kind::kInt, d, draft_.number(0, 3)); }},
+                  {2, [&] { return comprehension(depth); }},
+                  {1, [&] { return format("({} + {})", list(d), list_of(Kind::kInt, d, 1)); }},
+                  {1,
+                   [&] {
+                     return format("({}..{})", draft_.number(-1, 1),
+                                   draft_.one_in(2) ? format("({} % 4)", integer(d)) : literal());
+                   }},
+                  {2, [&] { return either(Kind::kList, depth); }},
+                  {1, [&] { return format("{}({})", draft_.one_in(2) ? "reverse" : "cdr", list(d)); }},
+                  {1, [&] { return format("cons({}, {})", integer(d), list(d)); }},
+                  {1, [&] { return format("({} + [0, 1])[[{} % 2, 0]]", list(d), integer(d)); }},
+                  {1, [&] { return format("({} + [1])[{}..0]", list(d), index(depth)); }},
+                  {1,
+                   [&] {
+                     return format("({} + [1, 2])[{}..{}]", list(d), draft_.number(0, 1),
+                                   draft_.one_in(2) ? "1" : format("({} % 2)", integer(d)));
+                   }},
+                  {1, [&] { return format("sort({})", list(d)); }},
+                  {1, [&] { return format("sort({}, key: {})", list(d), function(d)); }},
+                  {1, [&] { return format("map({}, {})", function(d), list(d)); }},
+                  {1, [&] { return format("map({}, {})", draft_.one_in(2) ? "length" : "sum", nested(d)); }},
+                  {draft_.libraries.contains("graph") ? 3U : 0U, [&] { return of_graph(depth); }},
+                  {draft_.libraries.contains("bin") ? 2U : 0U, [&] { return packed(depth); }},
+                  {1, [&] { return format("filter({}, {})", predicate(depth), list(d)); }},
+                  {1, [&] { return format("{}.b", record(d)); }},
+                  {1, [&] { return format("{}[{}]", nested(d), index(depth)); }},
+                  {1, [&] { return format("choose([{}, {}])", list(d), list(d)); }},
+                  {1, [&] { return call(Kind::kList, depth); }},
+                  {1, [&] { return use_mixed(Kind::kList, depth); }},
+              });
 }
 
 std::string Expressions::list_of(Kind kind, int depth, int count) {
@@ -94,6 +98,7 @@ std::string Expressions::nested(int depth) {
                          {2, [&] { return list_of(Kind::kList, d, draft_.number(1, 2)); }},
                          {1, [&] { return either(Kind::kNested, depth); }},
                          {1, [&] { return format("({} + [{}])", nested(d), list(d)); }},
+                         {1, [&] { return format("sort({}, key: length)", nested(d)); }},
                      });
 }
 
@@ -109,6 +114,11 @@ std::string Expressions::record(int depth) {
                   {2, [&] { return format("Point({}, {})", integer(d), list(d)); }},
                   {1, [&] { return format("Point(b: {}, a: {}, c: {})", list(d), integer(d), integer(d)); }},
                   {1, [&] { return either(Kind::kRecord, depth); }},
+                  {1,
+                   [&] {
+                     return format("{}([{}, {}], key: {})", draft_.one_in(2) ? "max" : "min", record(d),
+                                   record(d), function_of_record());
+                   }},
               });
 }
 
@@ -128,6 +138,7 @@ std::string Expressions::text(int depth) {
                          {1, [&] { return format("format(\"{{}}/{{:3}}\", {}, {})", text(d), integer(d)); }},
                          {1, [&] { return format("format(\"{{:<2}}{{:.1}}\", {}, {})", text(d), real(d)); }},
                          {1, [&] { return format("({} + str({}))", text(d), flip()); }},
+                         {1, [&] { return choice("choose([\"a\", \"\", \"bc\"])", Kind::kString); }},
                          {1, [&] { return either(Kind::kString, depth); }},
                      });
 }
@@ -173,6 +184,11 @@ std::string Expressions::function(int depth) {
 
 std::string Expressions::lambda(int depth) {
   return lambda([&] { return integer(depth + 1); });
+}
+
+/// A function of a record that gives an int.
+std::string Expressions::function_of_record() {
+  return format("(fun(p) {{ return p.{}; }})", draft_.one_in(2) ? "c" : "a");
 }
 
 /// A function of an int that gives a bool.

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,9 +86,9 @@ class Draft {
   int choices = 0;   // that may still be made
   int mistakes = 0;  // that may still be made
   int statements = 0;
-  bool is_part = false;  // whether it is a file that is imported
-  bool wishes = false;   // whether it may have wishes
-  bool graphs = false;   // whether it imports the library of graphs
+  bool is_part = false;             // whether it is a file that is imported
+  bool wishes = false;              // whether it may have wishes
+  std::set<std::string> libraries;  // that it imports
 
  private:
   ByteSource& bytes_;

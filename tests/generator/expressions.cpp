@@ -87,6 +87,7 @@ std::string Expressions::integer(int depth) {
            }},
           {1, [&] { return format("abs({})", integer(d)); }},
           {1, [&] { return format("count({}, {})", list(d), integer(d)); }},
+          {1, [&] { return format("count([{}, {}, {}])", boolean(d), boolean(d), flip()); }},
           {1,
            [&] {  // most often of what is there
              if (draft_.one_in(4)) return format("index_of({}, {})", list(d), integer(d));
@@ -136,7 +137,8 @@ std::string Expressions::boolean(int depth) {
           {1, [&] { return format("({} {} {})", integer(d), draft_.one_in(3) ? "not in" : "in", list(d)); }},
           {1, [&] { return format("distinct({})", list(d)); }},
           {1, [&] { return comparison_of_texts(depth); }},
-          {draft_.graphs ? 3U : 0U, [&] { return connection(depth); }},
+          {draft_.libraries.contains("graph") ? 3U : 0U, [&] { return connection(depth); }},
+          {draft_.libraries.contains("schedule") ? 2U : 0U, [&] { return turns(depth); }},
           {1, [&] { return format("null({})", list(d)); }},
           {1,
            [&] {
@@ -165,18 +167,12 @@ std::string Expressions::comparison_of_texts(int depth) {
   return format("({} {} {})", text(d), draft_.one_in(2) ? "==" : "!=", text(d));
 }
 
-std::string Expressions::connection(int depth) {
-  const int d = depth + 1;
-  if (draft_.choices < 3 || draft_.loops > 0 || draft_.level > 0) return boolean(d);
-  draft_.choices -= 3;  // it chooses a distance for each node
-  const char* links = draft_.one_in(2) ? "[[0, 1], [1, 2]]" : "[[0, 1], [1, 2], [2, 0]]";
-  return format("connected(graph_of(3, {}), [{}, {}, {}], {})", links, boolean(d), boolean(d), boolean(d),
-                draft_.number(1, 2));
-}
-
 std::string Expressions::choice(const std::string& call, Kind kind) {
-  if (draft_.choices <= 0 || (draft_.loops > 0 && !draft_.one_in(2)))
-    return draft_.variable_or(kind, [&] { return kind == Kind::kBool ? "true" : "1"; });
+  if (draft_.choices <= 0 || (draft_.loops > 0 && !draft_.one_in(2))) {
+    return draft_.variable_or(kind, [&] {
+      return kind == Kind::kBool ? "true" : kind == Kind::kString ? "\"a\"" : "1";
+    });
+  }
   draft_.choices -= draft_.loops > 0 || draft_.level > 0 ? 2 : 1;
   return call;
 }

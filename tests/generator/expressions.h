@@ -25,6 +25,15 @@ class Expressions {
   /// A call of `range`, `flip` or `choose`, as long as choices are left.
   std::string choice(const std::string& call, Kind kind = Kind::kInt);
   std::string call_of(const Declared& callee, int depth, const std::string& first = "");
+  /// Takes so many of the choices that are left, where that many are and no loop or function makes more of
+  /// them.
+  bool take_choices(int number);
+  /// Whether some nodes of a small graph hang together.
+  std::string connection(int depth);
+  /// The bins of things.
+  std::string packed(int depth);
+  /// An int for each node of a small graph: distances, or a tree.
+  std::string of_graph(int depth);
 
  private:
   struct Weighted {
@@ -39,8 +48,11 @@ class Expressions {
   /// A choice among ints with weights.
   std::string weighted(int depth);
   std::string comparison_of_texts(int depth);
-  /// Whether some nodes of a small graph hang together.
-  std::string connection(int depth);
+  /// A bool for each node of a small graph.
+  std::string nodes(int depth);
+  std::string small_graph();
+  /// Whether bools that follow each other are as a schedule has them.
+  std::string turns(int depth);
   std::string list_of(Kind kind, int depth, int count);
   std::string comprehension(int depth);
   std::string record(int depth);
@@ -49,6 +61,7 @@ class Expressions {
   /// A function of one int.
   std::string function(int depth);
   std::string lambda(int depth);
+  std::string function_of_record();
   template <class Body>
   std::string lambda(Body body);
   std::string predicate(int depth);

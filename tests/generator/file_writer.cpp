@@ -51,10 +51,12 @@ void FileWriter::write_script(bool wishes) {
   if (imported_variables_ == 0 || !draft_.one_in(2)) draft_.line("record Point(a, b, c = 1);");
   shared_name();
   if (draft_.one_in(6)) param();
-  draft_.graphs = draft_.one_in(6);
-  if (draft_.graphs) draft_.line("import \"std/graph.sol\";");
-  for (int i = draft_.number(1, 3); i > 0; --i) first_choice();
+  for (const char* library : {"graph", "layout", "schedule", "bin"}) {
+    if (draft_.one_in(12)) import_library(library);
+  }
+  for (int i = draft_.number(1, draft_.libraries.empty() ? 3 : 1); i > 0; --i) first_choice();
   statements_.assign_new(Kind::kList);
+  if (!draft_.libraries.empty()) statements_.use_library();
   const int count = 3 + static_cast<int>(draft_.below(9));
   for (int i = 0; i < count; ++i) draft_.one_in(5) ? statements_.declare_function() : statements_.statement();
   draft_.line(format("assert(({}) % 4 != 2);", draft_.digest()));
@@ -62,13 +64,21 @@ void FileWriter::write_script(bool wishes) {
   draft_.line(format("return {};", draft_.everything()));
 }
 
+void FileWriter::import_library(const std::string& name) {
+  draft_.libraries.insert(name);
+  draft_.choices = 4;  // a use takes up to 3
+  draft_.line(format("import \"std/{}.sol\";", name));
+}
+
 /// Ends the script with an output, which looks at a float; a value may be returned before it.
 void FileWriter::output() {
   const std::string everything = draft_.everything();
   const std::string half = draft_.fresh("h");
   if (draft_.one_in(2)) draft_.line(format("return {};", everything));
-  const std::string body =
+  std::string body =
       format("{} = ({}) / 2.0; if {} > 1.5 {{ print({}); }} ", half, draft_.digest(), half, half);
+  if (draft_.one_in(2))
+    body += format("for u in [1, {}] {{ place(\"table\", at: [{}, u], name: str(u)); }} ", half, half);
   const std::string result = draft_.one_in(3) ? "" : format("return {}, {};", everything, half);
   draft_.line(format("output {{ {}{} }}", body, result));
 }

@@ -27,6 +27,8 @@ class FileWriter {
  private:
   /// Makes a choice, so that there is something that later statements can depend on.
   void first_choice();
+  /// Imports a file of the library, such as "graph".
+  void import_library(const std::string& name);
   void output();
   /// Makes a name that several files have: each file sees its own, or that of the last import.
   void shared_name();

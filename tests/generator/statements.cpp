@@ -49,8 +49,9 @@ void Statements::statement() {
     case 11:
       return while_statement();
     case 12:
-    case 13:
       return same_calls();
+    case 13:
+      return draft_.one_in(2) ? closure() : reads_below();
     case 14:
       return assign_mixed();
     case 15:
@@ -66,6 +67,8 @@ void Statements::statement() {
       return draft_.one_in(3) ? pack() : auxiliary();
     case 21:
       return declare_function();
+    case 22:
+      return draft_.libraries.empty() ? simple_statement() : use_library();
     default:
       return simple_statement();
   }

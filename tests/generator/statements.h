@@ -16,6 +16,8 @@ class Statements {
 
   void statement();
   void declare_function();
+  /// Writes things as an imported file of the library has them, and what holds of them. There has to be one.
+  void use_library();
   void assign_new(Kind kind);
   Expressions& expressions() { return expressions_; }
 
@@ -36,11 +38,22 @@ class Statements {
   void auxiliary();
   /// Writes choices of bins for things, and that no bin holds too much.
   void pack();
+  void connect();
+  void boxes();
+  void tasks();
+  void shifts();
+  void keep(const std::string& list);
   void if_statement();
   /// Writes calls of one function at sites that exclude each other, with arguments and outer variables that
   /// are the same or not: calls share what was found out about one of them.
   void same_calls();
   void exclusive_call(const Declared& callee, const std::string& name, const std::string& call);
+  /// Writes calls of a function that another one made.
+  void closure();
+  void make_closures(const std::string& maker);
+  /// Writes calls at exclusive sites of a function that calls one which reads a variable; the sites change
+  /// it.
+  void reads_below();
   void for_statement();
   void while_statement();
   /// Writes an early way out, for some executions.

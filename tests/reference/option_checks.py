@@ -120,6 +120,23 @@ def distinct_values(case):
         raise Wrong("--distinct value: a solution comes twice")
 
 
+def look_of(thing):
+    """What a placed thing looks like: all but its name and its extras, which generated programs give no look."""
+    shown = {name: plain(value) for name, value in thing.items() if name not in ("name", "extras")}
+    shown["at"] = [*map(float, shown.get("at", [])), 0.0, 0.0, 0.0][:3]
+    shown["turn"] = shown.get("turn", 0) % 4
+    return json.dumps(solitaire.one_zero(shown), sort_keys=True)
+
+
+def distinct_results(case):
+    options = ["--all", "--distinct", "result", *case.random.choice([[], ["--diversity", "normal"]])]
+    found = case.solve(*options)
+    looks = {json.dumps([solitaire.one_zero(plain(each.value)), sorted(map(look_of, each.placed))])
+             for each in case.results.solutions}  # fmt: skip
+    if len(found) != len(looks):
+        raise Wrong(f"{' '.join(options)}: {len(found)} solutions of {len(looks)} looks")
+
+
 def distance(a, b):
     addresses = {*a, *b}
     differing = sum(a.get(each) != b.get(each) for each in addresses)
@@ -136,6 +153,23 @@ def far_apart(case):
     for choices in case.solutions():
         if all(distance(choices, other) >= least for other in kept):
             raise Wrong(f"--min-distance {least}: missed {choices}")
+
+
+# ---- params
+
+
+def other_param(case):
+    """Another value of a param is like another default in the program."""
+    source = case.script.read_text(encoding="utf-8")
+    params = re.findall(r"^param (\w+) = (-?\d+);$", source, re.MULTILINE)
+    if not params:
+        return
+    name, value = case.random.choice(params)[0], case.random.randint(-2, 4)
+    results = reference_results(case.script, [(name, str(value))], Limits(executions=2000))
+    if results.errors:
+        return
+    options = ["--all", "--set", f"{name}={value}"]
+    compare_choices(case.solve(*options), told_apart(results), options)
 
 
 # ---- pins
@@ -188,19 +222,34 @@ def pinned_by_file(case):
     compare_choices(found, wanted, options)
 
 
-CHOSEN_FLOAT = """chosen_float = {};
-if chosen_float * 3 > 1.0 {{ print("high", chosen_float); }}
-assert(chosen_float * range(0, 2) < 0.8);
-"""
+# What chooses floats, with values that a pin can give it.
+CHOSEN_FLOATS = {
+    "uniform(0, 2)": [0, 0.25, 0.5, 1.0],
+    "normal(0, 1)": [-1.5, 0, 0.5],
+    "exponential(0.5)": [0.5, 2.25],
+    "gamma(2, 1)": [0.5, 1.0],
+    "beta(2, 3)": [0.25, 0.5],
+}
+# What may be done with a chosen float. Each line has one choice at most.
+USES_OF_FLOAT = [
+    'if chosen_float * 3 > 1.0 {{ print("high", chosen_float); }}',
+    "assert(chosen_float * range(0, 2) < 0.8);",
+    "of_float = range(0, abs(floor(chosen_float * 2)));",
+    "if chosen_float == 0.5 {{ halved = flip(); }}",
+    "between = if chosen_float < 0.4 then 1 else choose([0, 2]);",
+    "fun is_less(limit) {{ return chosen_float + 0.1 < limit; }}\nassert(is_less(0.3) or is_less(range(0, 3)));",
+]
 
 
 def pinned_float(case):
     """A chosen float that is pinned is like a float that the program has."""
-    value = case.random.choice([0, 0.25, 0.5, 1.0])
-    source = case.script.read_text(encoding="utf-8")
-    case.script.write_text(CHOSEN_FLOAT.format(float(value)) + source, encoding="utf-8")
-    results = reference_results(case.script, (), Limits(executions=2000))
-    case.script.write_text(CHOSEN_FLOAT.format("uniform(0, 2)") + source, encoding="utf-8")
+    chosen, values = case.random.choice(list(CHOSEN_FLOATS.items()))
+    value = case.random.choice(values)
+    uses = case.random.sample(USES_OF_FLOAT, case.random.randint(1, 3))
+    program = "\n".join(["chosen_float = {};", *uses, case.script.read_text(encoding="utf-8").replace("{", "{{").replace("}", "}}")])
+    case.script.write_text(program.format(float(value)), encoding="utf-8")
+    results = reference_results(case.script, (), Limits(executions=4000))
+    case.script.write_text(program.format(chosen), encoding="utf-8")
     if results.errors:
         return
     options = ["--all", "--pin", f"chosen_float={value}"]
