@@ -152,6 +152,12 @@ TEST_CASE("scene: a model that cannot be read says why") {
     return models.refusal();
   };
   CHECK(says(refusal([](Models& m) { m.file["asset"]["version"] = "1.0"; }), "it is a file of glTF 1.0"));
+  CHECK(says(refusal([](Models& m) {
+               m.file = {{"asset", {{"version", "1.0"}}}, {"scene", "s"}, {"nodes", {{"n", json::object()}}}};
+             }),
+             "it is a file of glTF 1.0"));
+  CHECK(says(refusal([](Models& m) { m.file["images"][0]["uri"] = "../textures/t.png"; }),
+             "../textures/t.png lies outside of the model's folder"));
   for (const std::string extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
     CAPTURE(extension);
     const std::string why = refusal([&](Models& m) {

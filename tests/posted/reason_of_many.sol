@@ -1,9 +1,8 @@
-// The proof that there is no solution is quick, the reason is not: what is known of it by the time is shown.
-// $ explain --timeout 1
-// status: 4
+// The proof that there is no solution is quick, the reason is not: what is known of it after some seconds is shown.
+// $ solve
+// status: 1
 // says: cannot hold
 // says: the list must have such an element
-// says: it was not found out whether all of them are needed
 sizes = choose([[2, -2, 2], [1]]);
 one = range(1, 1);
 n = range(0, 2);

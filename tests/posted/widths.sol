@@ -1,6 +1,6 @@
-// Modules that are to fill a wall: a sink, an oven and a fridge are wider than it. What is known of the reason at a limit is shown.
-// $ explain --timeout 2
-// status: 4
+// Modules that are to fill a wall: a sink, an oven and a fridge are wider than it. What is known of the reason after some seconds is shown.
+// $ solve
+// status: 1
 // says: cannot hold together:
 param wall = 100;
 widths = [30, 40, 60];
