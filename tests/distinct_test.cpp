@@ -58,6 +58,7 @@ TEST_CASE("distinct: what comes is what every execution shows, once each") {
       "x = range(0, 3); print(x); return x / 2;",
       "x = range(0, 3); y = flip(); return x / 2; output { return [x, y]; }",
       "fun deep(n) { if n == 0 then return 0; return 1 + deep(n - 1); } return deep(range(0, 6)) / 2;",
+      "n = range(1, 2); xs = sort([0, 1, 2][1..n]); if flip() { xs += [1]; } return [xs, 1];",
   };
   for (const char* text : texts) {
     CAPTURE(std::string(text));

@@ -5,12 +5,17 @@
 namespace solitaire {
 
 Assignment::Assignment(const Graph& graph, std::function<Scalar(std::size_t)> value_of)
-    : graph_(graph),
-      value_of_(std::move(value_of)),
-      states_(graph.size()),
-      values_(graph.size(), Scalar::of(false)) {}
+    : graph_(graph), value_of_(std::move(value_of)) {
+  cover_graph();
+}
+
+void Assignment::cover_graph() {
+  states_.resize(graph_.size());
+  values_.resize(graph_.size(), Scalar::of(false));
+}
 
 std::optional<Scalar> Assignment::value(NodeId node) {
+  if (node.index >= states_.size()) cover_graph();
   const auto push_needed = [this](NodeId at, std::vector<NodeId>& pending) {
     for (const NodeId operand : graph_.node(at).args()) {
       if (state(operand) == State::kUnknown) pending.push_back(operand);

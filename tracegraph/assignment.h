@@ -8,7 +8,7 @@
 namespace solitaire {
 
 /// Evaluates nodes under given values of the choices: the specification that solvers' models are held
-/// against.
+/// against. The graph may grow meanwhile.
 class Assignment {
  public:
   /// `value_of` gives each choice variable (by its number in graph.variables()) its value.
@@ -21,6 +21,8 @@ class Assignment {
 
  private:
   enum class State : std::uint8_t { kUnknown, kKnown, kUndefined };
+  /// Makes room for all nodes that the graph has by now.
+  void cover_graph();
   void compute(NodeId node);
   State state(NodeId node) const { return states_[node.index]; }
 
