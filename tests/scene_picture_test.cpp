@@ -169,6 +169,9 @@ TEST_CASE(
   things.push_back(placed("bookcase", {2, 0.1, 0}, {1, 0.3}));          // tall and thin, but no wall
   things.push_back(placed("", {2, 1.6, 0}, {2, 0.1, 2}));               // a partition, though nobody says so
   things.push_back(named(placed("", {9, 9, 0}, {4, 0.1, 2}), "wall"));  // hides nothing
+  things.push_back(placed("", {0.2, 0.0, 1.2}, {1, 0.05, 0.6}));        // hangs at the front wall
+  things.push_back(placed("", {3.2, 0.05, 0}, {0.8, 0.4, 0.7}));        // stands there, but is low
+  things.push_back(placed("", {3.5, 0.05, 0.7}, {0.2, 0.2, 0.4}));      // on that
   const Scene scene = scene_of(things);
   const auto cut = cut_heights(scene, three_quarter_view());
   std::set<std::size_t> low;
@@ -177,7 +180,7 @@ TEST_CASE(
     low.insert(i);
     CHECK(*cut[i] == (i == 9 ? 0.8 : 0.3));
   }
-  CHECK(low == std::set<std::size_t>{2, 4, 6, 8, 9, 10});
+  CHECK(low == std::set<std::size_t>{2, 4, 6, 8, 9, 10, 12});
 
   const Picture picture = Painter().draw(scene_of(room()), kSmall);
   const auto pixels = pixels_of_objects(picture);

@@ -6,7 +6,9 @@ const kCutHeight = 0.3;    // metres that are left of a wall
 const kTableHeight = 0.8;  // metres that are left of what stands at a wall that is cut
 const kTallest = 1.2;      // metres, of what stands there whole
 const kAtWall = 0.15;      // metres between a wall and what stands at it
+const kFooting = 0.05;     // metres between a thing and what it stands on
 const kOverlap = 0.25;     // metres of a thing that a wall may hide or stand on
+const kMostAsked = 2000;   // things that are asked what they stand on
 const kMostComparisons = 1e6;
 
 function isWithin(point, box) {
@@ -32,14 +34,25 @@ function hides(wall, box, toCamera) {
   return reach[0] <= reach[1] && box.min.y < wall.max.y;
 }
 
-/** Tells whether the thing stands on the same floor as the wall, at one of its sides, and is tall. */
-function towersAt(thing, wall) {
-  if (thing.min.y > wall.min.y + kCutHeight || thing.max.y - wall.min.y < kTallest) return false;
+/** Tells whether the thing is at one of the wall's sides. */
+function isAt(thing, wall) {
   const isDeep = wall.max.x - wall.min.x < wall.max.z - wall.min.z;
   const [across, along] = isDeep ? ['x', 'z'] : ['z', 'x'];
   const gap = Math.max(wall.min[across] - thing.max[across], thing.min[across] - wall.max[across]);
   const middle = (thing.min[along] + thing.max[along]) / 2;
   return gap < kAtWall && wall.min[along] < middle && middle < wall.max[along];
+}
+
+/** Tells whether the thing stands on the same floor as the wall, at one of its sides, and is tall. */
+function towersAt(thing, wall) {
+  return thing.min.y <= wall.min.y + kCutHeight && thing.max.y - wall.min.y >= kTallest && isAt(thing, wall);
+}
+
+/** Tells whether the thing is at the wall above what is left of it, and stands on none of the boxes. */
+function hangsAt(thing, wall, boxes) {
+  if (thing.min.y <= wall.min.y + kCutHeight || thing.min.y >= wall.max.y || !isAt(thing, wall)) return false;
+  const foot = thing.getCenter(thing.min.clone());
+  return !boxes.some((box) => isWithin(foot.setY(box.min.y), box) && Math.abs(thing.min.y - box.max.y) < kFooting);
 }
 
 export class Cutaway {
@@ -49,10 +62,12 @@ export class Cutaway {
     this.walls = objects.filter((object) => isWall.has(object.address))
       .map((object) => ({ object, fixtures: [], towers: [] }));
     this.hidden = [];
+    this.others = [];
     if (this.walls.length * objects.length > kMostComparisons) this.walls = [];
     for (const object of objects) {
       if (!isWall.has(object.address)) this.#sort(object);
     }
+    for (const object of this.others) this.#findWalls(object);
   }
 
   /** Returns a Map from the objects that are cut, seen from the direction, to the height that is left. */
@@ -68,7 +83,7 @@ export class Cutaway {
     return heights;
   }
 
-  /** What is in a wall goes with it; anything else may be hidden, or be too tall for a wall that is cut. */
+  /** What is in a wall goes with it; anything else may be hidden. */
   #sort(object) {
     const base = object.box.getCenter(object.box.min.clone()).setY(object.box.min.y);
     const around = this.walls.find((wall) => isWithin(base, wall.object.box));
@@ -77,8 +92,14 @@ export class Cutaway {
       return;
     }
     this.hidden.push(object.box);
+    this.others.push(object);
+  }
+
+  /** What hangs at a wall goes with it; what is tall and stands at one is cut off higher. */
+  #findWalls(object) {
     for (const wall of this.walls) {
       if (towersAt(object.box, wall.object.box)) wall.towers.push(object);
+      if (this.others.length <= kMostAsked && hangsAt(object.box, wall.object.box, this.hidden)) wall.fixtures.push(object);
     }
   }
 }

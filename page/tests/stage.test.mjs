@@ -27,6 +27,8 @@ const objects = [
   { address: 'cupboard', name: 'cupboard', box: box(1.2, 0, 3.55, 2.1, 1.1, 3.85) },  // so is this, but it is low
   { address: 'shelf', name: 'shelf', box: box(0.2, 0, 1, 0.5, 1.9, 2) },              // tall, but away from walls
   { address: 'sign', name: 'sign', box: box(2.4, 1.4, 3.8, 2.8, 2, 3.9) },            // hangs there
+  { address: 'desk', name: 'desk', box: box(3, 0, 3.2, 3.9, 0.75, 3.85) },
+  { address: 'lamp', name: 'lamp', box: box(3.2, 0.75, 3.6, 3.4, 1.2, 3.8) },         // stands on the desk
 ];
 const cutFrom = (x, y, z) => {
   const length = Math.hypot(x, y, z);
@@ -35,7 +37,7 @@ const cutFrom = (x, y, z) => {
 };
 
 test('cutaway: the wall before the table goes, with its window and its door, and what towers at it', () => {
-  assert.deepEqual(cutFrom(0, 1, 1), { front: 0.3, window: 0.3, door: 0.3, bookcase: 0.8 });
+  assert.deepEqual(cutFrom(0, 1, 1), { front: 0.3, window: 0.3, door: 0.3, sign: 0.3, bookcase: 0.8 });
   assert.deepEqual(cutFrom(0, 1, -1), { back: 0.3 });
 });
 

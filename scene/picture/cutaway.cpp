@@ -9,13 +9,15 @@
 namespace solitaire {
 namespace {
 
-constexpr double kCutHeight = 0.3;     // metres that are left of a wall
-constexpr double kTableHeight = 0.8;   // metres that are left of what stands at a wall that is cut
-constexpr double kTallest = 1.2;       // metres, of what stands there whole
-constexpr double kAtWall = 0.15;       // metres between a wall and what stands at it
-constexpr double kLowestWall = 1.0;    // metres; what is lower hides little
-constexpr double kThickestWall = 0.6;  // metres, of plain boxes
-constexpr double kOverlap = 0.25;      // metres of a thing that a wall may hide or stand on
+constexpr double kCutHeight = 0.3;        // metres that are left of a wall
+constexpr double kTableHeight = 0.8;      // metres that are left of what stands at a wall that is cut
+constexpr double kTallest = 1.2;          // metres, of what stands there whole
+constexpr double kAtWall = 0.15;          // metres between a wall and what stands at it
+constexpr double kFooting = 0.05;         // metres between a thing and what it stands on
+constexpr double kLowestWall = 1.0;       // metres; what is lower hides little
+constexpr double kThickestWall = 0.6;     // metres, of plain boxes
+constexpr double kOverlap = 0.25;         // metres of a thing that a wall may hide or stand on
+constexpr std::size_t kMostAsked = 2000;  // things that are asked what they stand on
 constexpr std::size_t kMostWallPairs = 20'000'000;
 
 bool says(const SceneObject& object, std::string_view word) {
@@ -65,14 +67,25 @@ bool is_within(const Vec3& point, const Box3& box) {
          point[2] < box.high[2];
 }
 
-/// Returns true for what stands on the same floor as the wall, at one of its sides, and is tall.
-bool towers_at(const Box3& thing, const Box3& wall) {
-  if (thing.low[2] > wall.low[2] + kCutHeight || thing.high[2] - wall.low[2] < kTallest) return false;
+/// Returns true for what is at one of the wall's sides.
+bool is_at(const Box3& thing, const Box3& wall) {
   const std::size_t across = wall.high[0] - wall.low[0] < wall.high[1] - wall.low[1] ? 0 : 1;
   const std::size_t along = 1 - across;
   const double gap = std::max(wall.low[across] - thing.high[across], thing.low[across] - wall.high[across]);
   const double middle = (thing.low[along] + thing.high[along]) / 2;
   return gap < kAtWall && wall.low[along] < middle && middle < wall.high[along];
+}
+
+/// Returns true for what stands on the same floor as the wall, at one of its sides, and is tall.
+bool towers_at(const Box3& thing, const Box3& wall) {
+  return thing.low[2] <= wall.low[2] + kCutHeight && thing.high[2] - wall.low[2] >= kTallest &&
+         is_at(thing, wall);
+}
+
+/// Returns true if the thing stands on `below`.
+bool stands_on(const Box3& thing, const Box3& below) {
+  const Vec3 middle{(thing.low[0] + thing.high[0]) / 2, (thing.low[1] + thing.high[1]) / 2, below.low[2]};
+  return is_within(middle, below) && std::abs(thing.low[2] - below.high[2]) < kFooting;
 }
 
 /// Finds the walls to cut, and what is cut with them.
@@ -94,8 +107,10 @@ class Cutaway {
       heights[wall.object] = foot + kCutHeight;
       for (const std::size_t fixture : wall.fixtures) heights[fixture] = foot + kCutHeight;
       for (const std::size_t other : others_) {
-        if (!heights[other] && towers_at(bounds(scene_.objects[other].box), wall.box))
-          heights[other] = foot + kTableHeight;
+        if (heights[other]) continue;
+        const Box3 box = bounds(scene_.objects[other].box);
+        if (towers_at(box, wall.box)) heights[other] = foot + kTableHeight;
+        if (hangs_at(box, wall.box)) heights[other] = foot + kCutHeight;
       }
     }
     return heights;
@@ -127,6 +142,16 @@ class Cutaway {
         around->fixtures.push_back(i);
       }
     }
+  }
+
+  /// Returns true for what is at the wall above what is left of it, and stands on nothing.
+  bool hangs_at(const Box3& thing, const Box3& wall) const {
+    if (others_.size() > kMostAsked) return false;
+    if (thing.low[2] <= wall.low[2] + kCutHeight || thing.low[2] >= wall.high[2] || !is_at(thing, wall))
+      return false;
+    return std::none_of(others_.begin(), others_.end(), [&](std::size_t other) {
+      return stands_on(thing, bounds(scene_.objects[other].box));
+    });
   }
 
   bool hides_something(const Box3& wall) const {

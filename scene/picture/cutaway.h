@@ -14,6 +14,7 @@ bool is_like_wall(const SceneObject& object);
 /// object that is shown whole. Walls that stand between the camera and something else are cut off low, so
 /// that one sees into rooms, and with each wall the doors, windows and other things in it. What stands at
 /// such a wall and is taller than a table is cut at the height of one, so that it does not hide the room.
+/// What hangs at such a wall goes with it.
 ///
 /// A scene in which more than twenty million pairs of a wall and a thing would have to be compared is shown
 /// whole.
