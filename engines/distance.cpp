@@ -26,18 +26,6 @@ void add_values(Features& features, const std::string& name, const PlainValue& v
   features.emplace(name, to_json(value));
 }
 
-/// Returns how many numbers two lists in rising order have in common.
-std::uint64_t in_both(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
-  std::uint64_t count = 0;
-  auto in_a = a.begin();
-  for (const std::uint64_t each : b) {
-    while (in_a != a.end() && *in_a < each) ++in_a;
-    if (in_a == a.end()) break;
-    if (*in_a == each) ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
 Features choice_features(const ChosenValues& choices) {
@@ -79,18 +67,36 @@ void MeanDistance::add(const Features& features) {
   ++count_;
 }
 
+/// Mostly both have the same names, and only their values are to be compared.
+Overlap NearestPair::overlap_of(const Hashed& a, const Hashed& b) {
+  Overlap overlap{0, a.names.size()};
+  if (a.names == b.names) {
+    for (std::size_t i = 0; i < a.values.size(); ++i) overlap.shared += a.values[i] == b.values[i] ? 1 : 0;
+    return overlap;
+  }
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < b.names.size(); ++i) {
+    while (at < a.names.size() && a.names[at] < b.names[i]) ++at;
+    if (at == a.names.size() || b.names[i] < a.names[at]) {
+      ++overlap.all;
+    } else {
+      overlap.shared += a.values[at] == b.values[i] ? 1 : 0;
+    }
+  }
+  return overlap;
+}
+
 void NearestPair::add(const Features& features) {
   if (gave_up_) return;
+  std::vector<HashedFeature> sorted = hashed(features);
+  std::ranges::sort(sorted, {}, &HashedFeature::name);
   Hashed added;
-  for (const auto& [name, valued] : hashed(features)) {
+  for (const auto& [name, valued] : sorted) {
     added.names.push_back(name);
     added.values.push_back(valued);
   }
-  std::ranges::sort(added.names);
-  std::ranges::sort(added.values);
   for (const Hashed& each : all_) {
-    const std::uint64_t named = in_both(each.names, added.names);
-    const Overlap overlap{in_both(each.values, added.values), each.names.size() + added.names.size() - named};
+    const Overlap overlap = overlap_of(each, added);
     nearest_ = std::min(nearest_.value_or(1), overlap.distance());
     compared_ += overlap.all;
   }

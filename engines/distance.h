@@ -86,10 +86,11 @@ class NearestPair {
   std::optional<double> value() const { return gave_up_ ? std::nullopt : nearest_; }
 
  private:
-  /// The names and the pairs of a name and its value, as hashes in rising order.
+  /// The names, as hashes in rising order, and at the same places the pairs of a name and its value.
   struct Hashed {
     std::vector<std::uint64_t> names, values;
   };
+  static Overlap overlap_of(const Hashed& a, const Hashed& b);
 
   std::vector<Hashed> all_;
   std::optional<double> nearest_;

@@ -80,6 +80,18 @@ class NearbyThenCadical : public Solver, private ClauseSink {
     cadical_.order_implication(order_implication);
   }
 
+  void order_difference(const OrderDifference& difference) override {
+    propagator_.order_difference(difference);
+    cadical_.order_difference(difference);
+  }
+
+  bool takes_linear_implications() const override { return propagator_.takes_linear_implications(); }
+
+  /// CaDiCaL gets their clauses when it is first asked.
+  void linear_implication(const LinearImplication& implication) override {
+    propagator_.linear_implication(implication);
+  }
+
   bool found_nearby(std::span<const int> assumed, const StopSignal& signal) {
     const bool found = nearby_.find(assumed, signal);
     if (found) model_ = clauses_.values([this](int variable) { return propagator_.value(variable) > 0; });
@@ -88,6 +100,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   }
 
   Verdict ask_cadical(std::span<const int> assumed, const StopSignal& signal) {
+    clauses_.cnf().write_linear_as_clauses();
     if (std::exchange(has_suggestions_, false)) {
       cadical_.prefer(with_drawn_signs(nearby_.wanted()));
       const Verdict verdict = cadical_.solve(assumed, signal, tuning::kConflictsNearSuggestions);

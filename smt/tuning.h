@@ -11,10 +11,17 @@ namespace solitaire::tuning {
 /// The largest number of values for which an int is written in order encoding, and not in bits. With orders,
 /// workspaces of four groups came ten times faster than with bits alone. Larger ints have fewer bits than
 /// values, and shorter clauses.
-inline constexpr std::uint64_t kMostOrdered = 256;
+inline constexpr std::uint64_t kMostOrdered = 1024;
 /// The largest number of pairs of values for which a sum of two ordered ints is ordered, too. Each pair takes
 /// a gate.
 inline constexpr std::uint64_t kMostOrderedSum = 1024;
+
+/// A comparison of sums is a linear implication if it has so many terms at least, and not more. Two ints in
+/// order encoding compare without; and what many comparisons share is worth being written once.
+inline constexpr std::size_t kLeastLinearTerms = 4;
+inline constexpr std::size_t kMostLinearFormTerms = 100'000;
+/// That at most one of so many literals holds is said pair by pair.
+inline constexpr std::size_t kMostPairwise = 5;
 
 /// A conjunction in a clause of at most so many other literals makes as many clauses as it has operands, all
 /// with these literals; in a longer clause it gets a variable of its own.
@@ -28,9 +35,12 @@ inline constexpr std::size_t kUsualLiterals = std::size_t{1} << 18;
 
 // ---- The search near suggestions (cdcl/)
 
-/// The search gives up after at most so many conflicts. A first workspace of three groups takes some 150, one
-/// of six groups 250. Limits of 100 to 3,000 made no difference for twelve queens far apart.
+/// The search gives up after at most so many conflicts, and not before one for so many variables, since telling
+/// CaDiCaL a large formula takes seconds. A first workspace of three groups takes some 150, one of six groups
+/// 250. Limits of 100 to 3,000 made no difference for twelve queens far apart. Workspaces of 24 groups took 3 to 9
+/// s, most of it in CaDiCaL, with a limit of 1000, and 0.8 s with 3,000, 10,000 and 30,000 alike.
 inline constexpr std::uint64_t kMostConflicts = 1000;
+inline constexpr std::size_t kVariablesPerConflict = 10;
 /// A search that gave up makes the next one give up four times as soon, though not before so many conflicts.
 inline constexpr std::uint64_t kFewestConflicts = 8;
 /// After a search, the older half of the learned clauses is forgotten if there are more than so many. To

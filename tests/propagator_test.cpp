@@ -59,9 +59,21 @@ std::vector<int> random_chain(std::mt19937_64& random, int first, std::size_t si
   return chain;
 }
 
+/// Appends the clauses that conditions stand for.
+class Expanded : public ClauseSink {
+ public:
+  explicit Expanded(std::vector<Clause>& clauses) : clauses_(clauses) {}
+  void clause(std::span<const int> literals) override {
+    clauses_.emplace_back(literals.begin(), literals.end());
+  }
+
+ private:
+  std::vector<Clause>& clauses_;
+};
+
 }  // namespace
 
-TEST_CASE("propagator: what follows from order_implications is what follows from their clauses") {
+TEST_CASE("propagator: what follows from conditions on ints is what follows from their clauses") {
   std::size_t conflicts = 0, consequences = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     CAPTURE(seed);
@@ -88,6 +100,17 @@ TEST_CASE("propagator: what follows from order_implications is what follows from
         clauses.push_back({-order_implication.guard,
                            -(*order_implication.lower)[order_implication.first + at],
                            (*order_implication.upper)[order_implication.base + at]});
+    }
+    for (std::size_t i = random() % 4; i > 0; --i) {
+      OrderDifference difference{&chains[0], &chains[1]};
+      if (random() % 2 == 0) difference.guard = 8 + static_cast<int>(random() % 5);
+      difference.first = static_cast<std::uint32_t>(random() % 4);
+      difference.base = static_cast<std::uint32_t>(random() % 3);
+      difference.count =
+          1 + static_cast<std::uint32_t>(random() % std::min(5 - difference.first, 4 - difference.base));
+      propagator.order_difference(difference);
+      Expanded expanded(clauses);
+      expanded.order_difference(difference);
     }
     std::vector<int> decisions;
     for (int step = 0; step < 60; ++step) {

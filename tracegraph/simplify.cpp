@@ -1,5 +1,4 @@
-// The identities that Graph::apply knows. Each returns the simpler node, or nothing; none makes a node that
-// is larger than the one asked for.
+// The identities that Graph::apply knows. Each returns the simpler node, or nothing.
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -86,7 +85,7 @@ std::optional<NodeId> Graph::simplify_add(NodeId a, NodeId b) {
   return apply(Op::kAdd, {inner.operands[0], constant(offset)});
 }
 
-/// x + 2 < 5 is x < 3: comparisons with constants are about the variables themselves.
+/// x + 2 < 5 is x < 3, and x - y < 5 is x < y + 5: comparisons are about the variables themselves.
 std::optional<NodeId> Graph::move_offset(Op op, NodeId a, NodeId b) {
   const auto moved = [this](NodeId sum, NodeId limit) -> std::optional<std::pair<NodeId, NodeId>> {
     const Node inner = node(sum);
@@ -98,6 +97,20 @@ std::optional<NodeId> Graph::move_offset(Op op, NodeId a, NodeId b) {
   };
   if (const auto left = moved(a, b)) return apply(op, {left->first, left->second});
   if (const auto right = moved(b, a)) return apply(op, {right->second, right->first});
+  const auto is_difference = [this](NodeId difference, NodeId limit) {
+    if (node(difference).op != Op::kSub || !node(limit).is_constant()) return false;
+    const Interval subtracted = node(node(difference).operands[1]).interval;
+    const std::int64_t by = node(limit).interval.lo;
+    return is_exact(subtracted.lo + by) && is_exact(subtracted.hi + by);
+  };
+  if (is_difference(a, b)) {
+    const auto [x, y, unused] = node(a).operands;
+    return apply(op, {x, apply(Op::kAdd, {y, b})});
+  }
+  if (is_difference(b, a)) {
+    const auto [x, y, unused] = node(b).operands;
+    return apply(op, {apply(Op::kAdd, {y, a}), x});
+  }
   return std::nullopt;
 }
 
@@ -162,7 +175,13 @@ std::optional<NodeId> Graph::simplify_equal(NodeId a, NodeId b) {
   if (disjoint(node(a).interval, node(b).interval)) return kFalse;
   if (node(a).op == Op::kConstInt) std::swap(a, b);
   if (node(b).op != Op::kConstInt) return std::nullopt;
-  if (node(a).op == Op::kAdd) return move_offset(Op::kEqInt, a, b);
+  if (node(a).op == Op::kAdd || node(a).op == Op::kSub) return move_offset(Op::kEqInt, a, b);
+  // abs(x) == 3 is x == 3 or x == -3.
+  if (node(a).op == Op::kAbs) {
+    const NodeId inner = node(a).operands[0];
+    const NodeId opposite = constant(-node(b).interval.lo);
+    return disjunction(apply(Op::kEqInt, {inner, b}), apply(Op::kEqInt, {inner, opposite}));
+  }
   // if(c, 10, -5) == 10 is c.
   const Node phi = node(a);
   if (phi.op == Op::kIteInt && node(phi.operands[1]).is_constant() && node(phi.operands[2]).is_constant()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engines/solve/linear_facts.h"
+#include "engines/solve/relaxation.h"
 #include "engines/tuning.h"
 #include "smt/z3/linear_contradiction.h"
 
@@ -142,6 +143,7 @@ std::optional<OverFull> find_sum_conflict(Graph& graph, std::span<const SignedNo
   if (rows.empty() || terms_of(rows) > tuning::kMostLinearTerms) return std::nullopt;
   std::vector<Interval> ranges;
   for (const Unknown& unknown : linear.unknowns()) ranges.push_back(unknown.range);
+  if (has_point(rows, ranges)) return std::nullopt;
   const auto multipliers = find_contradiction(rows, ranges);
   if (!multipliers) return std::nullopt;
   Total total(linear);

@@ -83,10 +83,16 @@ bool NearbySearch::assume(std::span<const int> assumptions) {
 /// A search that succeeded may take more conflicts the next time, and one that failed fewer.
 bool NearbySearch::search(const StopSignal& signal) {
   const std::size_t assumed = propagator_.decisions();
+  if (!has_searched_) conflicts_ = most_conflicts();
+  has_searched_ = true;
   const bool found = search_within(conflicts_, assumed, signal);
   conflicts_ =
-      std::clamp(found ? 2 * conflicts_ : conflicts_ / 4, tuning::kFewestConflicts, tuning::kMostConflicts);
+      std::clamp(found ? 2 * conflicts_ : conflicts_ / 4, tuning::kFewestConflicts, most_conflicts());
   return found;
+}
+
+std::uint64_t NearbySearch::most_conflicts() const {
+  return std::max(tuning::kMostConflicts, propagator_.variables() / tuning::kVariablesPerConflict);
 }
 
 bool NearbySearch::search_within(std::uint64_t conflicts, std::size_t assumed, const StopSignal& signal) {

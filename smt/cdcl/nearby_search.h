@@ -55,6 +55,7 @@ class NearbySearch {
   void add_choice(std::size_t variable);
   bool assume(std::span<const int> assumptions);
   bool search(const StopSignal& signal);
+  std::uint64_t most_conflicts() const;
   bool search_within(std::uint64_t conflicts, std::size_t assumed, const StopSignal& signal);
   bool learn(std::size_t assumed);
   void undo_to(std::size_t decisions);
@@ -81,7 +82,8 @@ class NearbySearch {
   std::vector<bool> ordered_;                             // by choice of search_, see ChoiceEncoding::order
   std::vector<char> wanted_;                              // by variable
   const unsigned forgets_;
-  std::uint64_t conflicts_ = tuning::kMostConflicts;  // the next search gives up after so many
+  std::uint64_t conflicts_ = 0;  // the next search gives up after so many
+  bool has_searched_ = false;
 };
 
 }  // namespace solitaire

@@ -64,9 +64,17 @@ void Propagator::order_implication(const OrderImplication& order_implication) {
   bounds_.add(order_implication);
 }
 
+void Propagator::order_difference(const OrderDifference& difference) {
+  if (has_tables_) return ClauseSink::order_difference(difference);
+  bounds_.add(difference);
+}
+
 void Propagator::take_clauses() {
   if (waiting_.empty() && new_pairs_.empty() && new_triples_.empty() && !bounds_.has_new()) return;
-  if (!has_tables_) make_tables();
+  if (!has_tables_) {
+    make_tables();
+    broken_ = !bounds_.visit_all(*this);
+  }
   for_each_clause(waiting_, [this](std::span<const int> clause) { take(clause); });
   waiting_.clear();
 }
@@ -162,6 +170,7 @@ void Propagator::decide(int literal) {
 
 void Propagator::assign(int literal, std::uint32_t clause, int first, int second) {
   assigned_[static_cast<std::size_t>(std::abs(literal))] = {static_cast<std::uint32_t>(levels_.size()),
+                                                            static_cast<std::uint32_t>(trail_.size()),
                                                             {clause, first, second}};
   set(literal, Truth::kHolds);
   set(-literal, Truth::kFails);
@@ -209,10 +218,17 @@ bool Propagator::visit_tables(int falsified) {
   return true;
 }
 
-bool Propagator::visit_bounds(int assigned) {
-  return bounds_.visit(
-      assigned, [this](int literal) { return value(literal); },
-      [this](int guard, int lower, int upper) { return apply(-guard, -lower, upper); });
+/// Assigns what follows from a sum. Returns false if that is false already.
+bool Propagator::assign_by_sum(int literal, std::uint32_t sum, std::uint32_t term) {
+  if (value(literal) > 0) return true;
+  if (is_open(literal)) {
+    assign(literal, kSum, static_cast<int>(sum), static_cast<int>(term));
+    return true;
+  }
+  conflict_.assign(1, literal);
+  const auto holds = [this](int other) { return value(other) > 0; };
+  bounds_.explain_by_sum(sum, term, holds, [this](int other) { conflict_.push_back(other); });
+  return false;
 }
 
 /// Assigns the only literal of a clause that is not false, if there is only one. Returns false if there is

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "smt/cdcl/bounds/order_bounds.h"
 #include "smt/sat/cnf.h"
 #include "smt/sat/literal_table.h"
-#include "smt/sat/order_bounds.h"
 #include "smt/sat/sparse_table.h"
 
 namespace solitaire {
@@ -16,8 +16,8 @@ namespace solitaire {
 /// propagation. Literals are those of ClauseSink.
 ///
 /// Most clauses of a formula have two or three literals. Those that come before the first propagation stand
-/// in tables by literal, which are made once. The implications between ints in order encoding stand in tables
-/// of their own (order_bounds.h). All other clauses have two watched literals.
+/// in tables by literal, which are made once. Conditions on ints in order encoding are no clauses at all
+/// (bounds/order_bounds.h). All other clauses have two watched literals.
 ///
 /// For each assigned literal the propagator keeps the reason, from which ConflictAnalysis makes clauses to
 /// learn.
@@ -27,7 +27,12 @@ class Propagator : public ClauseSink {
 
   /// Takes a clause. Only while nothing is decided.
   void clause(std::span<const int> literals) override;
+  /// These take conditions of which there are no clauses here. Those that come after the first propagation
+  /// are written as clauses.
   void order_implication(const OrderImplication& order_implication) override;
+  void order_difference(const OrderDifference& difference) override;
+  bool takes_linear_implications() const override { return !has_tables_; }
+  void linear_implication(const LinearImplication& implication) override { bounds_.add(implication); }
 
   /// Returns one more than the largest variable.
   std::size_t variables() const { return assigned_.size(); }
@@ -77,6 +82,11 @@ class Propagator : public ClauseSink {
   /// read all other members again after each.
   enum class Truth : std::int8_t { kFails = -1, kOpen, kHolds };
 
+  friend class OrderBounds;
+  friend class OrderImplications;
+  friend class OrderDifferences;
+  friend class LinearSums;
+
   struct Watch {
     std::uint32_t clause;  // where it starts in literals_
     int blocker;           // some literal of the clause; while it holds, nothing follows from the clause
@@ -84,12 +94,17 @@ class Propagator : public ClauseSink {
 
   /// Says from which clause a literal followed.
   struct Reason {
-    std::uint32_t clause = kNoClause;  // where it starts in literals_
-    int first = 0, second = 0;         // of a clause in a table: its other literals, or 0
+    std::uint32_t clause = kNoClause;  // where it starts in literals_, or one of the following
+    /// Of a clause in a table: its other literals, or 0. Of a difference: its number, and the position. Of a
+    /// sum: its number, and that of the term.
+    int first = 0, second = 0;
   };
   static constexpr std::uint32_t kNoClause = static_cast<std::uint32_t>(-1);
+  static constexpr std::uint32_t kDifference = static_cast<std::uint32_t>(-2);
+  static constexpr std::uint32_t kSum = static_cast<std::uint32_t>(-3);
   struct Assigned {
     std::uint32_t level = 0;
+    std::uint32_t place = 0;  // in the trail
     Reason reason;
   };
 
@@ -110,13 +125,21 @@ class Propagator : public ClauseSink {
   /// Assigns a literal because of the clause that starts there, or because of one in a table, of which
   /// `first` and `second` are the other literals.
   void assign(int literal, std::uint32_t clause, int first = 0, int second = 0);
+  std::uint32_t place(int literal) const {
+    return assigned_[static_cast<std::size_t>(literal > 0 ? literal : -literal)].place;
+  }
   void set(int literal, Truth value) { values_[static_cast<std::size_t>(middle_ + literal)] = value; }
   std::span<const int> literals_of(std::uint32_t clause) const {
     return {&literals_[clause] + 1, static_cast<std::size_t>(literals_[clause])};
   }
   bool visit_tables(int falsified);
-  bool visit_bounds(int assigned);
+  bool visit_bounds(int assigned) { return bounds_.visit(assigned, *this); }
   bool apply(int a, int b, int c);
+  void assign_by_difference(int literal, std::uint32_t step, std::uint32_t position) {
+    assign(literal, kDifference, static_cast<int>(step), static_cast<int>(position));
+  }
+  bool assign_by_sum(int literal, std::uint32_t sum, std::uint32_t term);
+  void break_clause(std::span<const int> literals) { conflict_.assign(literals.begin(), literals.end()); }
   bool visit_clauses(int falsified);
   bool visit(Watch& watch, int falsified, bool* moved);
 
@@ -125,7 +148,7 @@ class Propagator : public ClauseSink {
   std::vector<Assigned> assigned_;  // by variable
   LiteralTable<int> pairs_;         // the other literal of each clause of two
   LiteralTable<Two> triples_;       // the other literals of each clause of three
-  OrderBounds bounds_;              // what follows from order implications
+  OrderBounds bounds_;              // what follows from conditions on ints in order encoding
   bool has_tables_ = false;
   SparseTable<std::vector<Watch>> watches_;  // by literal; few have any, as most clauses stand in tables
   std::vector<int> literals_;                // of clauses with watches, each behind its length
@@ -144,14 +167,25 @@ class Propagator : public ClauseSink {
 
 template <class Visit>
 void Propagator::for_each_reason(int assigned, Visit visit) const {
-  const Reason& reason = assigned_[static_cast<std::size_t>(assigned > 0 ? assigned : -assigned)].reason;
-  if (reason.clause != kNoClause) {
-    for (const int literal : literals_of(reason.clause)) {
+  const Assigned& at = assigned_[static_cast<std::size_t>(assigned > 0 ? assigned : -assigned)];
+  const Reason& reason = at.reason;
+  const auto visit_others = [&](const auto& clause) {
+    for (const int literal : clause) {
       if (literal != assigned) visit(literal);
     }
-  } else {
+  };
+  if (reason.clause == kNoClause) {
     if (reason.first != 0) visit(reason.first);
     if (reason.second != 0) visit(reason.second);
+  } else if (reason.clause == kDifference) {
+    visit_others(bounds_.clause_of_difference(static_cast<std::uint32_t>(reason.first),
+                                              static_cast<std::uint32_t>(reason.second)));
+  } else if (reason.clause == kSum) {
+    const auto is_known = [&](int literal) { return value(literal) > 0 && place(literal) < at.place; };
+    bounds_.explain_by_sum(static_cast<std::uint32_t>(reason.first),
+                           static_cast<std::uint32_t>(reason.second), is_known, visit);
+  } else {
+    visit_others(literals_of(reason.clause));
   }
 }
 

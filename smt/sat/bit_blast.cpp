@@ -1,11 +1,14 @@
 #include "smt/sat/bit_blast.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <utility>
 
 #include "smt/operation_rows.h"
+#include "smt/sat/cardinality.h"
+#include "smt/tuning.h"
 #include "smt/unsupported_operation.h"
 #include "tracegraph/post_order.h"
 
@@ -108,6 +111,45 @@ constexpr std::array<BitBlastRow, kOpCount> kBitBlasts = by_operation(BitBlasts:
 
 const BitBlastRow& row_of(const Graph::Node& node) { return kBitBlasts[static_cast<std::size_t>(node.op)]; }
 
+/// The meaning of a comparison of sums: a linear bound, or the same in gates, which are made when they are
+/// needed.
+class LinearComparison : public Definition {
+ public:
+  struct Term {
+    SharedOrder order;
+    std::int64_t factor;
+  };
+
+  LinearComparison(Circuit& circuit, std::vector<Term> terms, std::int64_t least,
+                   std::function<Literal()> in_gates)
+      : circuit_(circuit), terms_(std::move(terms)), least_(least), in_gates_(std::move(in_gates)) {}
+
+  void write(bool negated, const Emit& emit) const override {
+    const auto cardinality = as_cardinality(linear(negated));
+    if (cardinality && write_cardinality(circuit_, *cardinality, emit)) return;
+    const Literal literal = in_gates_() ^ negated;
+    circuit_.use(literal);
+    emit({&literal, 1});
+  }
+
+  bool is_linear() const override { return true; }
+
+  LinearBound linear(bool negated) const override {
+    LinearBound bound{{}, negated ? 1 - least_ : least_};
+    for (const auto& [order, factor] : terms_)
+      bound.terms.push_back({order.get(), negated ? -factor : factor});
+    return bound;
+  }
+
+ private:
+  Circuit& circuit_;
+  std::vector<Term> terms_;
+  std::int64_t least_;
+  std::function<Literal()> in_gates_;
+};
+
+bool is_arithmetic(Op op) { return op == Op::kAdd || op == Op::kSub || op == Op::kNeg || op == Op::kMul; }
+
 const NodeId* operands_or_itself(const Graph::Node& node, const NodeId& id) {
   return operation(node.op).arity == 0 ? &id : node.operands.data();
 }
@@ -160,12 +202,32 @@ bool BitBlaster::is_compiled(Part part) const {
 }
 
 void BitBlaster::push_operands(Part part, std::vector<Part>& pending) {
-  const Form form = form_of_operands(part);
-  for (const NodeId operand : graph_.node(part.node).args()) {
-    const bool is_int = graph_.node(operand).type() == Type::kInt;
-    const Part needed{operand, is_int ? form : Form::kBits};
+  const auto push = [&](Part needed) {
     if (!is_compiled(needed)) pending.push_back(needed);
+  };
+  const Graph::Node& node = graph_.node(part.node);
+  const bool compares = node.type() == Type::kBool && !node.args().empty() && is_int(node.operands[0]);
+  if (const LinearForm* form = compares ? linear_form(node.operands[0], node.operands[1]) : nullptr) {
+    for (const auto& [term, factor] : form->terms) push({term, Form::kOrder});
+    return;
   }
+  const Form form = form_of_operands(part);
+  for (const NodeId operand : node.args()) push({operand, is_int(operand) ? form : Form::kBits});
+}
+
+/// Returns b - a as a sum of ints in order encoding, or null if it is to be compared in another way.
+const LinearForm* BitBlaster::linear_form(NodeId a, NodeId b) {
+  if (!is_arithmetic(graph_.node(a).op) && !is_arithmetic(graph_.node(b).op)) return nullptr;
+  const auto [entry, is_new] = linear_forms_.try_emplace(std::uint64_t{a.index} << 32 | b.index);
+  if (is_new) entry->second = read_linear_form(a, b);
+  return entry->second ? &*entry->second : nullptr;
+}
+
+std::optional<LinearForm> BitBlaster::read_linear_form(NodeId a, NodeId b) const {
+  auto form = difference_form(graph_, a, b, tuning::kMostLinearFormTerms);
+  if (!form || form->terms.size() < tuning::kLeastLinearTerms) return std::nullopt;
+  const auto has_order = [this](const auto& term) { return order_size(term.first).is_ordered(); };
+  return std::ranges::all_of(form->terms, has_order) ? form : std::nullopt;
 }
 
 BitBlaster::Form BitBlaster::form_of_operands(Part part) const {
@@ -214,12 +276,33 @@ OrderEncodedInt BitBlaster::choice_order(NodeId choice) {
 }
 
 Literal BitBlaster::equality(NodeId a, NodeId b) {
+  if (const LinearForm* form = linear_form(a, b)) {
+    return circuit_.conjunction(linear_comparison(a, b, true, *form), !linear_comparison(a, b, false, *form));
+  }
   if (comparable_in_order(a, b)) return equal(circuit_, order(a), order(b));
   return equal(circuit_, number(a), number(b));
 }
 
 Literal BitBlaster::comparison(NodeId a, NodeId b, bool or_equal) {
+  if (const LinearForm* form = linear_form(a, b)) return linear_comparison(a, b, or_equal, *form);
   if (comparable_in_order(a, b)) return less(circuit_, order(a), order(b), or_equal);
+  return less(circuit_, number(a), number(b), or_equal);
+}
+
+Literal BitBlaster::linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form) {
+  std::vector<LinearComparison::Term> terms;
+  for (const auto& [term, factor] : form.terms) terms.push_back({order(term), factor});
+  for (const auto& [order, factor] : terms) use(circuit_, *order);
+  const auto in_gates = [=, this] { return comparison_in_gates(a, b, or_equal); };
+  return circuit_.defined(std::make_unique<LinearComparison>(circuit_, std::move(terms),
+                                                             (or_equal ? 0 : 1) - form.constant, in_gates));
+}
+
+Literal BitBlaster::comparison_in_gates(NodeId a, NodeId b, bool or_equal) {
+  const Form form = comparable_in_order(a, b) ? Form::kOrder : Form::kBits;
+  compile({a, form});
+  compile({b, form});
+  if (form == Form::kOrder) return less(circuit_, order(a), order(b), or_equal);
   return less(circuit_, number(a), number(b), or_equal);
 }
 

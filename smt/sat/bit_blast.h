@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <deque>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "smt/sat/bits.h"
@@ -8,6 +10,7 @@
 #include "smt/sat/circuit.h"
 #include "smt/sat/cnf.h"
 #include "smt/sat/int_bits.h"
+#include "smt/sat/linear_form.h"
 #include "smt/sat/order_encoded_int.h"
 #include "smt/sat/order_size.h"
 #include "tracegraph/graph.h"
@@ -16,7 +19,8 @@ namespace solitaire {
 
 /// Compiles nodes of a trace graph to a circuit. An int is written in binary (IntBits), in order encoding
 /// (OrderEncodedInt), or both, depending on where it is needed: a comparison reads orders if both of its
-/// operands can have one, everything else reads bits.
+/// operands can have one, or if it is one of sums of ints that can, which then are its terms; everything else
+/// reads bits.
 ///
 /// Every node is a total function of the choices' bits. So a node without a value, such as a division by zero
 /// on a path that is not taken, rules nothing out.
@@ -36,6 +40,9 @@ class BitBlaster {
   /// The inputs of the choices that conditions have met so far.
   ChoiceEncoding& choices() { return choices_; }
   const ChoiceEncoding& choices() const { return choices_; }
+
+  /// Returns the literal of a <= b, or of a < b, without linear implications.
+  Literal comparison_in_gates(NodeId a, NodeId b, bool or_equal);
 
  private:
   friend struct BitBlasts;
@@ -59,13 +66,17 @@ class BitBlaster {
   void compile_one(Part part);
   Form form_of_operands(Part part) const;
   bool comparable_in_order(NodeId a, NodeId b) const;
+  const LinearForm* linear_form(NodeId a, NodeId b);
+  std::optional<LinearForm> read_linear_form(NodeId a, NodeId b) const;
   void find_order_sizes();
   void add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals);
   OrderEncodedInt choice_order(NodeId choice);
 
   Literal equality(NodeId a, NodeId b);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
+  Literal linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form);
 
+  bool is_int(NodeId node) const { return graph_.node(node).type() == Type::kInt; }
   Interval interval(NodeId node) const { return graph_.node(node).interval; }
   OrderSize order_size(NodeId node) const { return order_sizes_[node.index]; }
   Sized sized(NodeId node) const { return {order_size(node), interval(node)}; }
@@ -82,7 +93,8 @@ class BitBlaster {
   std::vector<Compiled> compiled_;  // by node
   std::deque<Bits> numbers_;
   std::deque<SharedOrder> orders_;
-  std::vector<OrderSize> order_sizes_;  // by node
+  std::vector<OrderSize> order_sizes_;                                         // by node
+  std::unordered_map<std::uint64_t, std::optional<LinearForm>> linear_forms_;  // by the nodes compared
 };
 
 }  // namespace solitaire

@@ -67,6 +67,10 @@ void Cadical::order_implication(const OrderImplication& order_implication) {
   untold_implications_.push_back(order_implication);
 }
 
+void Cadical::order_difference(const OrderDifference& difference) {
+  untold_differences_.push_back(difference);
+}
+
 void Cadical::set_up() {
   constexpr std::uint64_t kSeeds = 2'000'000'000;  // CaDiCaL takes smaller ones only
   solver_ = std::make_unique<CaDiCaL::Solver>();
@@ -91,8 +95,10 @@ void Cadical::tell() {
   Direct sink(*solver_);
   for (const OrderImplication& order_implication : untold_implications_)
     sink.order_implication(order_implication);
+  for (const OrderDifference& difference : untold_differences_) sink.order_difference(difference);
   untold_.clear();
   untold_implications_.clear();
+  untold_differences_.clear();
 }
 
 void Cadical::prefer(std::vector<int> literals) {

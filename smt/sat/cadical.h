@@ -30,6 +30,7 @@ class Cadical : public ClauseSink {
 
   void clause(std::span<const int> literals) override;
   void order_implication(const OrderImplication& order_implication) override;
+  void order_difference(const OrderDifference& difference) override;
 
   /// Makes searches try these literals first, until prefer_nothing().
   void prefer(std::vector<int> literals);
@@ -56,6 +57,7 @@ class Cadical : public ClauseSink {
   std::unique_ptr<CaDiCaL::Solver> solver_;
   std::vector<int> untold_;  // the clauses that CaDiCaL does not know yet, each ended by 0
   std::vector<OrderImplication> untold_implications_;
+  std::vector<OrderDifference> untold_differences_;
   std::vector<int> preferred_;
 };
 

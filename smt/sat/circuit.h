@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "base/unique_table.h"
@@ -35,22 +37,36 @@ constexpr Literal constant_literal(bool value) { return kFalseLiteral ^ value; }
 
 struct OrderEncodedInt;
 
-/// Says that one int is less than another, or no larger. Both are in order encoding (order_encoded_int.h).
+/// Says how two ints in order encoding (order_encoded_int.h) compare.
 struct OrderedPair {
-  const OrderEncodedInt* smaller = nullptr;
-  const OrderEncodedInt* larger = nullptr;
-  bool strict = false;
+  enum class Relation : std::uint8_t { kLess, kLessOrEqual, kDifferent };
+  const OrderEncodedInt* a = nullptr;
+  const OrderEncodedInt* b = nullptr;
+  Relation relation = Relation::kLess;
+};
+
+/// Says that the sum of multiples of ints in order encoding is no less than a number.
+struct LinearBound {
+  struct Term {
+    const OrderEncodedInt* of = nullptr;
+    std::int64_t factor = 1;
+  };
+  std::vector<Term> terms;
+  std::int64_t least = 0;
 };
 
 /// Says what a literal means, by clauses that hold where the literal does, and others that hold where its
 /// negation does. Whoever makes the literal provides both lists. No assignment may fulfil both.
 class Definition {
  public:
-  using Emit = std::function<void(std::initializer_list<Literal> clause)>;
+  using Emit = std::function<void(std::span<const Literal> clause)>;
   virtual ~Definition() = default;
   virtual void write(bool negated, const Emit& emit) const = 0;
   /// Returns comparisons that together say the same as write(), or nothing if there are none.
   virtual std::vector<OrderedPair> comparisons(bool /*negated*/) const { return {}; }
+  /// Returns true if linear() says the same as write(). It has to be asked for by itself.
+  virtual bool is_linear() const { return false; }
+  virtual LinearBound linear(bool /*negated*/) const { return {}; }
 };
 
 /// A hash-consed circuit: equal gates are one gate. A gate with constant, equal or opposite operands is

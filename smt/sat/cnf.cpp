@@ -8,6 +8,20 @@
 
 namespace solitaire {
 
+void ClauseSink::order_difference(const OrderDifference& difference) {
+  std::vector<int> literals;
+  const auto add_other = [&](const std::vector<int>& chain, std::uint32_t at) {
+    if (at > 0) literals.push_back(-chain[at - 1]);
+    if (at < chain.size()) literals.push_back(chain[at]);
+  };
+  for (std::uint32_t i = 0; i < difference.count; ++i) {
+    literals.assign(difference.guard != 0 ? 1 : 0, -difference.guard);
+    add_other(*difference.a, difference.first + i);
+    add_other(*difference.b, difference.base + i);
+    clause(literals);
+  }
+}
+
 void ClauseSink::order_implication(const OrderImplication& order_implication) {
   for (std::uint32_t i = 0; i < order_implication.count; ++i) {
     const int literals[] = {-order_implication.guard,
@@ -41,6 +55,14 @@ int Cnf::equivalent(Literal literal) {
 }
 
 int Cnf::known_variable(Literal input) const { return has_number(input) ? numbers_[input.gate()] : 0; }
+
+void Cnf::write_linear_as_clauses() {
+  for (const auto& [head, definition, negated] : std::exchange(postponed_, {})) {
+    const Clause rest{head, {}};
+    definition->write(negated, [&](std::span<const Literal> literals) { push_clause(rest, literals); });
+  }
+  write_all();
+}
 
 /// Clauses make definitions necessary, and definitions make clauses. Both wait on stacks of this class, as
 /// circuits can be deeper than the machine's stack.
@@ -83,7 +105,7 @@ void Cnf::write(int head) {
 }
 
 /// Writes a clause without looking for gates that could become part of it. There are many of these clauses.
-void Cnf::write_plain(int head, std::initializer_list<Literal> literals) {
+void Cnf::write_plain(int head, std::span<const Literal> literals) {
   buffer_.clear();
   if (head != 0) buffer_.push_back(head);
   for (const Literal literal : literals) {
@@ -135,7 +157,9 @@ void Cnf::define(Literal literal) {
 
 /// Pushes clauses saying that the literal or the rest holds, in terms of the operands of the literal's gate.
 void Cnf::push_meaning(Literal literal, const Clause& rest) {
-  const auto push = [&](std::initializer_list<Literal> literals) { push_clause(rest, literals); };
+  const auto push = [&](std::initializer_list<Literal> literals) {
+    push_clause(rest, {literals.begin(), literals.end()});
+  };
   const bool negated = literal.negated();
   const auto [a, b, c] = circuit_.gate(literal).operands;
   switch (circuit_.gate(literal).kind) {
@@ -164,36 +188,40 @@ void Cnf::push_meaning(Literal literal, const Clause& rest) {
 }
 
 /// Pushes the clause of the rest and the literals.
-void Cnf::push_clause(const Clause& rest, std::initializer_list<Literal> literals) {
+void Cnf::push_clause(const Clause& rest, std::span<const Literal> literals) {
   push(rest);
-  literals_.insert(literals_.end(), literals);
+  literals_.insert(literals_.end(), literals.begin(), literals.end());
 }
 
 void Cnf::push_definition(const Definition& definition, bool negated, const Clause& rest) {
   if (!rest.literals.empty()) {
-    const auto push = [&](std::initializer_list<Literal> literals) { push_clause(rest, literals); };
+    const auto push = [&](std::span<const Literal> literals) { push_clause(rest, literals); };
     return definition.write(negated, push);
   }
+  if (rest.head != 0 && write_linear(rest.head, definition, negated)) return;
   const std::vector<OrderedPair> comparisons = definition.comparisons(negated);
+  if (comparisons.size() == 1 && comparisons.front().relation == OrderedPair::Relation::kDifferent)
+    return write_difference(rest.head, comparisons.front());
   if (comparisons.empty() || rest.head == 0) {
-    const auto write = [&](std::initializer_list<Literal> literals) { write_plain(rest.head, literals); };
-    return definition.write(negated, write);
+    const auto push = [&](std::span<const Literal> literals) { push_clause(rest, literals); };
+    const auto write = [&](std::span<const Literal> literals) { write_plain(rest.head, literals); };
+    return definition.is_linear() ? definition.write(negated, push) : definition.write(negated, write);
   }
-  for (const OrderedPair& pair : comparisons) write_comparison(rest.head, pair);
+  for (const OrderedPair& pair : comparisons) write_order(rest.head, pair);
 }
 
 /// Writes an order implication for each run of neighbouring values. Clauses of their own say what the lowest
 /// value implies, and rule out values that would imply more than there is.
-void Cnf::write_comparison(int head, const OrderedPair& pair) {
-  const auto& [smaller, larger, strict] = pair;
-  const std::int64_t offset = strict ? 1 : 0;
-  write_plain(head, {larger->at_least(smaller->values.front() + offset)});
+void Cnf::write_order(int head, const OrderedPair& pair) {
+  const OrderEncodedInt *const smaller = pair.a, *const larger = pair.b;
+  const std::int64_t offset = pair.relation == OrderedPair::Relation::kLess ? 1 : 0;
+  write_plain(head, larger->at_least(smaller->values.front() + offset));
   OrderImplication order_implication{&chain(*smaller, true), &chain(*larger, false), -head};
   std::size_t implied = 0;
   for (std::uint32_t i = 0; i < smaller->reached.size(); ++i) {
     while (implied < larger->size() && larger->values[implied] < smaller->values[i + 1] + offset) ++implied;
     if (implied == larger->size()) {
-      write_plain(head, {!smaller->reached[i]});
+      write_plain(head, !smaller->reached[i]);
       break;
     }
     if (implied == 0) continue;
@@ -210,18 +238,84 @@ void Cnf::write_comparison(int head, const OrderedPair& pair) {
   if (order_implication.count > 0) sink_.order_implication(order_implication);
 }
 
+/// Writes an order difference for each run of neighbouring values that both ints have.
+void Cnf::write_difference(int head, const OrderedPair& pair) {
+  const std::vector<std::int64_t>&x = pair.a->values, &y = pair.b->values;
+  OrderDifference difference{nullptr, nullptr, -head};
+  for (const bool negated : {false, true}) {
+    difference.a = &chain(*pair.a, negated);
+    difference.b = &chain(*pair.b, negated);
+  }
+  const auto is_run = [](const std::vector<std::int64_t>& values) {
+    return std::cmp_equal(values.back() - values.front() + 1, values.size());
+  };
+  const std::int64_t lo = std::max(x.front(), y.front()), hi = std::min(x.back(), y.back());
+  if (is_run(x) && is_run(y) && lo <= hi) {
+    difference.first = static_cast<std::uint32_t>(lo - x.front());
+    difference.base = static_cast<std::uint32_t>(lo - y.front());
+    difference.count = static_cast<std::uint32_t>(hi - lo + 1);
+    return sink_.order_difference(difference);
+  }
+  const auto end_run = [&] {
+    if (difference.count > 0) sink_.order_difference(difference);
+    difference.count = 0;
+  };
+  for (std::uint32_t i = 0, j = 0; i < x.size() && j < y.size();) {
+    if (x[i] != y[j]) {
+      end_run();
+      x[i] < y[j] ? ++i : ++j;
+      continue;
+    }
+    if (difference.count++ == 0) difference.first = i, difference.base = j;
+    ++i, ++j;
+  }
+  end_run();
+}
+
+/// Writes a linear implication, if the sink takes it and each int can stand in one term with weights that
+/// only grow, or only fall. Its clauses wait until they are asked for. Returns false if it does not write it.
+bool Cnf::write_linear(int head, const Definition& definition, bool negated) {
+  if (!definition.is_linear() || !sink_.takes_linear_implications()) return false;
+  const LinearBound bound = definition.linear(negated);
+  LinearImplication implication{-head, {}, bound.least};
+  std::unordered_map<const Chain*, std::size_t> places;
+  for (const auto& [of, factor] : bound.terms) {
+    const Chain& chain = chain_of(*of);
+    const auto [place, is_new] = places.try_emplace(&chain, implication.terms.size());
+    if (is_new) implication.terms.push_back({&chain.literals, std::vector<std::int64_t>(of->size())});
+    std::vector<std::int64_t>& weights = implication.terms[place->second].weights;
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += factor * of->values[i];
+  }
+  for (const auto& [chain, weights] : implication.terms) {
+    if (!std::ranges::is_sorted(weights) && !std::ranges::is_sorted(weights, std::ranges::greater{}))
+      return false;
+  }
+  for (const auto& [of, factor] : bound.terms) chain(*of, factor < 0);
+  sink_.linear_implication(implication);
+  postponed_.push_back({head, &definition, negated});
+  return true;
+}
+
+Cnf::Chain& Cnf::chain_of(const OrderEncodedInt& order) {
+  Chain*& chain = chain_of_[&order];
+  if (chain == nullptr) {
+    const auto [entry, is_new] = chains_.try_emplace(order.reached);
+    chain = &entry->second;
+    for (const Literal literal : order.reached) {
+      if (is_new) chain->literals.push_back(number(literal));
+    }
+  }
+  return *chain;
+}
+
 /// Returns the numbers of the literals of an int in order encoding. All are defined in the direction that a
 /// clause with them needs.
 const std::vector<int>& Cnf::chain(const OrderEncodedInt& order, bool negated) {
-  std::unique_ptr<Chain>& chain = chains_[&order];
-  if (chain == nullptr) {
-    chain = std::make_unique<Chain>();
-    for (const Literal literal : order.reached) chain->literals.push_back(number(literal));
-  }
-  if (!std::exchange(chain->demanded[negated ? 1 : 0], true)) {
+  Chain& chain = chain_of(order);
+  if (!std::exchange(chain.demanded[negated ? 1 : 0], true)) {
     for (const Literal literal : order.reached) demand(literal ^ negated);
   }
-  return chain->literals;
+  return chain.literals;
 }
 
 void Cnf::push_conjuncts(Literal conjunction, const Clause& rest) {
@@ -233,7 +327,7 @@ void Cnf::push_conjuncts(Literal conjunction, const Clause& rest) {
       const auto& operands = circuit_.gate(literal).operands;
       open_.insert(open_.end(), {operands[1], operands[0]});
     } else {
-      push_clause(rest, {literal});
+      push_clause(rest, {&literal, 1});
     }
   }
 }
@@ -257,7 +351,9 @@ int Cnf::number(Literal literal) {
 
 bool Cnf::inlinable(Literal literal) const {
   const Circuit::Gate& gate = circuit_.gate(literal);
-  return gate.kind != Circuit::Kind::kInput && gate.uses <= 1 && !has_number(literal);
+  if (gate.kind == Circuit::Kind::kInput || gate.uses > 1 || has_number(literal)) return false;
+  return gate.kind != Circuit::Kind::kDefined || !circuit_.definition(literal).is_linear() ||
+         !sink_.takes_linear_implications();
 }
 
 }  // namespace solitaire

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <unordered_map>
@@ -20,6 +21,28 @@ struct OrderImplication {
   std::uint32_t first = 0, base = 0, count = 0;
 };
 
+/// Stands for clauses that two ints in order encoding differ: where the guard holds, they do not have their
+/// values number first + i and base + i, from the lowest on, for each i < count. With 0 as the guard that is
+/// always so.
+struct OrderDifference {
+  const std::vector<int>* a = nullptr;
+  const std::vector<int>* b = nullptr;
+  int guard = 0;
+  std::uint32_t first = 0, base = 0, count = 0;
+};
+
+/// Says of ints in order encoding: where the guard holds, the weights of their values add up to the least at
+/// least. Each int stands in one term, with weights that never fall from value to value, or never grow.
+struct LinearImplication {
+  struct Term {
+    const std::vector<int>* chain = nullptr;
+    std::vector<std::int64_t> weights;  // one for each value of the int, from the lowest on
+  };
+  int guard = 0;
+  std::vector<Term> terms;
+  std::int64_t least = 0;
+};
+
 /// Receives clauses. A literal is the number of a variable, from 1 on, or its negative.
 class ClauseSink {
  public:
@@ -27,6 +50,11 @@ class ClauseSink {
   virtual void clause(std::span<const int> literals) = 0;
   /// Receives an order implication. By default, each of its clauses is passed to clause().
   virtual void order_implication(const OrderImplication& order_implication);
+  /// Does the same for an order difference.
+  virtual void order_difference(const OrderDifference& difference);
+  /// Returns true if linear_implication() can be called. Of a sink that takes none, clauses say the same.
+  virtual bool takes_linear_implications() const { return false; }
+  virtual void linear_implication(const LinearImplication& /*implication*/) {}
 };
 
 /// Writes what is required of a circuit's literals as clauses.
@@ -45,6 +73,8 @@ class Cnf {
   int assumable(Literal literal);
   /// Returns the number of a literal that holds where the circuit's literal does, and nowhere else.
   int equivalent(Literal literal);
+  /// Writes clauses that say what the linear implications so far do, for what takes clauses alone.
+  void write_linear_as_clauses();
   /// Returns the variable that stands for an input of the circuit.
   int variable(Literal input) { return number(input); }
   /// Returns how many variables there are.
@@ -53,9 +83,16 @@ class Cnf {
   int known_variable(Literal input) const;
 
  private:
+  /// Of each int in order encoding, and of all others that differ from it in their values alone.
   struct Chain {
     std::vector<int> literals;
     bool demanded[2] = {false, false};  // not negated, negated
+  };
+  /// A literal that implies what a definition says, by clauses that are not written yet.
+  struct Postponed {
+    int head;
+    const Definition* definition;
+    bool negated;
   };
   struct Clause {
     int head = 0;  // a further literal, as the sink numbers it, that comes before the others; 0: none
@@ -72,15 +109,19 @@ class Cnf {
   void push(const Clause& clause);
   int pop();
   void write(int head);
-  void write_plain(int head, std::initializer_list<Literal> literals);
+  void write_plain(int head, std::span<const Literal> literals);
+  void write_plain(int head, Literal literal) { write_plain(head, {&literal, 1}); }
   bool flatten(std::vector<Literal>& literals) const;
   bool distribute(int head);
-  void write_comparison(int head, const OrderedPair& pair);
+  void write_order(int head, const OrderedPair& pair);
+  void write_difference(int head, const OrderedPair& pair);
+  bool write_linear(int head, const Definition& definition, bool negated);
+  Chain& chain_of(const OrderEncodedInt& order);
   const std::vector<int>& chain(const OrderEncodedInt& order, bool negated);
   void define(Literal literal);
   void push_meaning(Literal literal, const Clause& rest);
   void push_definition(const Definition& definition, bool negated, const Clause& rest);
-  void push_clause(const Clause& rest, std::initializer_list<Literal> literals);
+  void push_clause(const Clause& rest, std::span<const Literal> literals);
   void push_conjuncts(Literal conjunction, const Clause& rest);
   int demand(Literal literal);
   int number(Literal literal);
@@ -109,7 +150,9 @@ class Cnf {
   std::vector<Literal> rest_;         // all but one of them,
   std::vector<Literal> open_;         // the operands of that one which are left,
   std::vector<int> buffer_;           // and as the sink gets them
-  std::unordered_map<const OrderEncodedInt*, std::unique_ptr<Chain>> chains_;
+  std::vector<Postponed> postponed_;
+  std::map<std::vector<Literal>, Chain> chains_;  // by the literals in the circuit
+  std::unordered_map<const OrderEncodedInt*, Chain*> chain_of_;
 };
 
 }  // namespace solitaire

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "base/floor_division.h"
 
@@ -15,12 +16,12 @@ namespace {
 template <class AtLeast>
 OrderEncodedInt make(std::vector<std::int64_t> values, AtLeast at_least) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
-  OrderEncodedInt made{{values.front()}, {}};
+  OrderEncodedInt made{{values.front()}, {}, false};
   for (std::size_t i = 1; i < values.size(); ++i) {
     const Literal reached = at_least(values[i]);
     if (reached == kFalseLiteral) break;
     if (reached == kTrueLiteral) {
-      made = {{values[i]}, {}};
+      made = {{values[i]}, {}, false};
     } else if (!made.reached.empty() && reached == made.reached.back()) {
       made.values.back() = values[i];
     } else {
@@ -49,17 +50,12 @@ std::vector<std::int64_t> sums_of_both(const OrderEncodedInt& a, const OrderEnco
   return sums;
 }
 
-/// Counts a use of each literal of the int, as they will stand in clauses.
-void use(Circuit& circuit, const OrderEncodedInt& order) {
-  for (const Literal literal : order.reached) {
-    circuit.use(literal);
-    circuit.use(literal);
-  }
-}
-
 void write_comparison(const OrderedPair& pair, const Definition::Emit& emit) {
-  for (const std::int64_t value : pair.smaller->values)
-    emit({!pair.smaller->at_least(value), pair.larger->at_least(value + (pair.strict ? 1 : 0))});
+  const std::int64_t offset = pair.relation == OrderedPair::Relation::kLess ? 1 : 0;
+  for (const std::int64_t value : pair.a->values) {
+    const Literal clause[] = {!pair.a->at_least(value), pair.b->at_least(value + offset)};
+    emit(clause);
+  }
 }
 
 /// The meaning of `less` and of its negation: each is a list of implications between literals of the two
@@ -74,8 +70,8 @@ class Comparison : public Definition {
   }
 
   std::vector<OrderedPair> comparisons(bool negated) const override {
-    if (negated) return {{b_.get(), a_.get(), true}};
-    return {{a_.get(), b_.get(), false}};
+    if (negated) return {{b_.get(), a_.get(), OrderedPair::Relation::kLess}};
+    return {{a_.get(), b_.get(), OrderedPair::Relation::kLessOrEqual}};
   }
 
  private:
@@ -94,13 +90,16 @@ class Equality : public Definition {
     std::vector<std::int64_t> common;
     std::set_intersection(a_->values.begin(), a_->values.end(), b_->values.begin(), b_->values.end(),
                           std::back_inserter(common));
-    for (const std::int64_t v : common)
-      emit({!a_->at_least(v), a_->more_than(v), !b_->at_least(v), b_->more_than(v)});
+    for (const std::int64_t v : common) {
+      const Literal clause[] = {!a_->at_least(v), a_->more_than(v), !b_->at_least(v), b_->more_than(v)};
+      emit(clause);
+    }
   }
 
   std::vector<OrderedPair> comparisons(bool negated) const override {
-    if (negated) return {};
-    return {{a_.get(), b_.get(), false}, {b_.get(), a_.get(), false}};
+    using Relation = OrderedPair::Relation;
+    if (negated) return {{a_.get(), b_.get(), Relation::kDifferent}};
+    return {{a_.get(), b_.get(), Relation::kLessOrEqual}, {b_.get(), a_.get(), Relation::kLessOrEqual}};
   }
 
  private:
@@ -123,7 +122,15 @@ Literal OrderEncodedInt::reaches(std::size_t position) const {
   return position == values.size() ? kFalseLiteral : reached[position - 1];
 }
 
-OrderEncodedInt constant_order(std::int64_t value) { return {{value}, {}}; }
+void use(Circuit& circuit, const OrderEncodedInt& order) {
+  if (std::exchange(order.is_used, true)) return;
+  for (const Literal literal : order.reached) {
+    circuit.use(literal);
+    circuit.use(literal);
+  }
+}
+
+OrderEncodedInt constant_order(std::int64_t value) { return {{value}, {}, false}; }
 
 OrderEncodedInt negated(const OrderEncodedInt& a) {
   OrderEncodedInt made;

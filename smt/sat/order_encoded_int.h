@@ -13,6 +13,7 @@ namespace solitaire {
 struct OrderEncodedInt {
   std::vector<std::int64_t> values;  // ascending, at least one
   std::vector<Literal> reached;      // for each value but the first, that the int is no less; never constants
+  mutable bool is_used = false;      // uses of all these literals have been counted
 
   std::size_t size() const { return values.size(); }
   /// Returns the literal that says that the int is no less than the bound.
@@ -23,6 +24,9 @@ struct OrderEncodedInt {
   /// Returns the literal that says that the int is more than the bound.
   Literal more_than(std::int64_t bound) const { return at_least(bound + 1); }
 };
+
+/// Counts so many uses of each literal that all get variables of their own, as clauses with all of them need.
+void use(Circuit& circuit, const OrderEncodedInt& order);
 
 OrderEncodedInt constant_order(std::int64_t value);
 OrderEncodedInt negated(const OrderEncodedInt& a);
