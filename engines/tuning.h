@@ -41,8 +41,8 @@ constexpr std::int64_t kLongestWindow = 1'000'000'000;
 /// in all, and ranges are narrowed so often. Judgement: reading as many takes some milliseconds.
 constexpr std::size_t kMostLinearTerms = 20'000;
 constexpr std::size_t kMostNarrowings = 8;
-/// Before a contradiction is looked for, a point at which all sums hold is, in so many rounds. Judgement: where
-/// there is one, ten are mostly enough, and a round takes as long as reading the sums.
+/// Before a contradiction is looked for, a point at which all sums hold is, in so many rounds. Judgement:
+/// where there is one, ten are mostly enough, and a round takes as long as reading the sums.
 constexpr std::size_t kMostRelaxations = 50;
 /// Passes after which a program counts as one with endlessly many paths. Judgement.
 constexpr std::size_t kMostPasses = 200;
