@@ -21,6 +21,14 @@ draw_sheet() {
   cp "$work/$1/sheet.png" "$images/$1.png"
 }
 
+# draw_eye NAME...: one solution of each example, at eye height, as docs/images/eye_NAME.png.
+draw_eye() {
+  for example; do
+    "$solitaire" generate "examples/$example.sol" -n 1 --camera eye --png-size 640x400 --quiet -o "$work/eye_$example"
+    cp "$work/eye_$example/$example-0001-eye.png" "$images/eye_$example.png"
+  done
+}
+
 # draw_recipe NAME [OPTION]...: the program of docs/cookbook.md that is fenced as NAME.sol.
 draw_recipe() {
   awk -v fence="\`\`\`sol file=$1.sol" '$0 == fence { on = 1; next } /^```/ { on = 0 } on' docs/cookbook.md >"$work/$1.sol"
@@ -36,6 +44,7 @@ draw classroom classroom
 draw flat flat
 draw_sheet spaceships spaceship
 draw spaceship spaceship --seed 3
+draw_eye classroom restaurant city workspace
 
 # The models, a sheet for each set.
 "$solitaire" assets --png --png-size 240x180 --quiet -o "$work/models" >/dev/null

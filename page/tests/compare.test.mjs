@@ -36,6 +36,12 @@ test('what has another address and looks the same has moved', () => {
   assert.equal(hasOnlyMoved(entries.find(({ kind }) => kind === 'changed')), true);
 });
 
+test('of things that look the same, the nearest has moved', () => {
+  const chair = (address, x) => thing(address, { name: 'chair', center: [x, 0, 0] });
+  const entries = compareObjects([chair('p', 1), chair('q', 5)], [chair('r', 5.2), chair('s', 1.1), chair('t', 9)]);
+  assert.deepEqual(entries.map(({ words }) => words.join()).sort(), ['', 'moved 10 cm', 'moved 20 cm']);
+});
+
 test('what is elsewhere or larger has only moved; what looks otherwise, or is the same, has not', () => {
   const [moved, larger, painted, same] = [{ center: [1, 0, 0] }, { size: [2, 1, 1] }, { paint: 'blue' }, {}]
     .map((change) => compareObjects([thing('p')], [thing('p', change)])[0]);

@@ -1,7 +1,8 @@
 // What differs between two scenes, or between the choices of two solutions. Knows nothing of how they are shown.
 
-const kSamePlace = 1e-3;   // metres
-const kSameTurn = 0.05;    // degrees
+const kSamePlace = 1e-3;      // metres
+const kSameTurn = 0.05;       // degrees
+const kMostCandidates = 200;  // among which the nearest is looked for
 
 function distance(a, b) {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -40,28 +41,41 @@ export function changes(left, right) {
   return words;
 }
 
-/** Takes from both lists what has the same key, pair by pair. */
-function paired(lefts, rights, keyOf) {
+function last(left, candidates) {
+  return candidates.length - 1;
+}
+
+function nearest(left, candidates) {
+  const ways = candidates.slice(0, kMostCandidates).map(({ center }) => distance(left.center, center));
+  return ways.indexOf(Math.min(...ways));
+}
+
+/** Takes from both lists what has the same key, pair by pair. Of several, `choose` says which by its index. */
+function paired(lefts, rights, keyOf, choose = last) {
   const waiting = new Map(rights.map((right) => [keyOf(right), []]));
   for (const right of rights) waiting.get(keyOf(right)).push(right);
   const pairs = [], restLeft = [];
   for (const left of lefts) {
-    const right = waiting.get(keyOf(left))?.pop();
-    if (right) pairs.push({ left, right });
-    else restLeft.push(left);
+    const candidates = waiting.get(keyOf(left)) ?? [];
+    if (candidates.length === 0) restLeft.push(left);
+    else pairs.push({ left, right: candidates.splice(choose(left, candidates), 1)[0] });
   }
   const taken = new Set(pairs.map(({ right }) => right));
   return { pairs, restLeft, restRight: rights.filter((right) => !taken.has(right)) };
 }
 
+function looksOf({ name, shape, paint }) {
+  return JSON.stringify([kindOf(name), shape, paint]);
+}
+
 /** Compares the objects of two scenes: {kind, left, right, words} where kind is "same", "changed", "left" or "right".
  * What looks the same at the same place is the same, whatever its address: two chairs that changed places do not
- * differ. Of the rest, those with the same address are one object that changed, and then those that look the same:
- * where a program chooses how many chairs there are, their addresses say little. */
+ * differ. Of the rest, those with the same address are one object that changed, and then those that look the same and
+ * are near: where a program chooses how many chairs there are, their addresses say little. */
 export function compareObjects(lefts, rights) {
   const alike = paired(lefts, rights, (object) => object.look);
   const named = paired(alike.restLeft, alike.restRight, (object) => object.address);
-  const kin = paired(named.restLeft, named.restRight, ({ name, shape, paint }) => JSON.stringify([kindOf(name), shape, paint]));
+  const kin = paired(named.restLeft, named.restRight, looksOf, nearest);
   return [
     ...[...named.pairs, ...kin.pairs].map((pair) => ({ kind: 'changed', ...pair, words: changes(pair.left, pair.right) })),
     ...kin.restLeft.map((left) => ({ kind: 'left', left, words: [] })),
