@@ -146,7 +146,10 @@ class Delivery : public SearchObserver {
   void tell_reason(const std::optional<Conflict>& conflict) {
     progress_.end();
     tell(conflict ? conflict->text
-                  : fmt::format("'solitaire explain {}' looks for the reason\n", options_.script));
+                  : fmt::format(
+                        "'solitaire explain {}', with the same params and pins, takes the time to find the "
+                        "reason\n",
+                        options_.script));
   }
 
   using Clock = std::chrono::steady_clock;

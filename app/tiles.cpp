@@ -10,9 +10,11 @@
 #include "app/tiles_options.h"
 #include "app/tiles_page.h"
 #include "app/tiles_scene.h"
+#include "base/installation.h"
 #include "base/stop_signal.h"
 #include "engines/tiles/job/job.h"
 #include "engines/tiles/request/request_error.h"
+#include "scene/assets.h"
 #include "scene/atomic_file.h"
 #include "scene/gltf/writer.h"
 
@@ -87,12 +89,12 @@ struct Look {
   std::optional<Scene> scene;
 };
 
-Look look_of(const tiles::Job& job, const Options& options, const std::string& name) {
+Look look_of(const tiles::Job& job, const Options& options, const std::string& name, AssetLibrary& assets) {
   Look look{job.file("png", options.tiles->pixels, options.output), std::nullopt};
   const bool is_asked_for = std::ranges::count(options.tiles->formats, "glb") > 0;
   const auto has_shape = [](const tiles::ShownTile& tile) { return !tile.asset.empty() || tile.at[2] > 0; };
   if (is_asked_for || std::ranges::any_of(job.shown_tiles(), has_shape))
-    look.scene = tiles_scene(job, name, fs::path(options.tiles->job.inputs.front()).parent_path());
+    look.scene = tiles_scene(job, name, assets);
   return look;
 }
 
@@ -131,11 +133,13 @@ ExitStatus tell_ending(const tiles::Job& job, tiles::JobEnding ending, std::uint
 ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog) {
   make_folder(options.output);
   TilesPage page(options, stem(*options.tiles));
+  AssetLibrary assets(find_data_folder() / "assets",
+                      fs::path(options.tiles->job.inputs.front()).parent_path());
   std::uint64_t delivered = 0;
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
     const std::string name = name_of_map(*options.tiles, number);
-    const Look look = look_of(job, options, name);
+    const Look look = look_of(job, options, name, assets);
     for (const std::string& format : options.tiles->formats)
       write_map(job, options, look, options.output / fmt::format("{}.{}", name, format));
     page.add(job, number, name, look.png, look.scene ? &*look.scene : nullptr);
@@ -143,6 +147,9 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
   });
   const auto lock = watchdog.delivering();
   page.close();
+  if (!options.quiet) {
+    for (const std::string& note : assets.notes()) tell(note + "\n");
+  }
   return watchdog.conclude(tell_ending(job, ending, delivered, options));
 }
 

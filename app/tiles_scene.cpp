@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/installation.h"
-#include "scene/assets.h"
 #include "scene/build_scene.h"
 
 namespace solitaire::app {
@@ -27,8 +25,7 @@ PlacedThing thing_of(const tiles::ShownTile& tile) {
 
 }  // namespace
 
-Scene tiles_scene(const tiles::Job& job, const std::string& title, const std::filesystem::path& folder) {
-  AssetLibrary assets(find_data_folder() / "assets", folder);
+Scene tiles_scene(const tiles::Job& job, const std::string& title, AssetLibrary& assets) {
   std::vector<PlacedThing> things;
   for (const tiles::ShownTile& tile : job.shown_tiles()) things.push_back(thing_of(tile));
   return build_scene(things, 1.0, title, assets);

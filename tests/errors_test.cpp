@@ -183,6 +183,17 @@ TEST_CASE("errors: carets count characters, whatever the bytes are") {
   CHECK(first_line(both_ways("")) == "");
 }
 
+TEST_CASE("errors: a mistake in a function of the library names the call that the program made") {
+  const std::string found = both_ways(
+      "import \"std/layout.sol\";\nrecord Room(x, y, w, d);\n"
+      "assert(touching(Room(0, 0, 1, 1), Rect(0, 0, 2, 2)));");
+  CHECK(found.find("error: a record Room has no field 'turn'\n") != std::string::npos);
+  CHECK(ends_with(found,
+                  "  note: called at test.sol:3:8: touching(Room(0, 0, 1, 1), Rect(0, 0, 2, 2))\n"
+                  "  help: it has x, y, w, d\n"));
+  CHECK(found.find("called at") == found.rfind("called at"));
+}
+
 TEST_CASE("errors: endless loops and recursion end at limits that can be set") {
   Limits limits;
   limits.max_steps = 1000;

@@ -159,6 +159,27 @@ TEST_CASE("picture: a box of glass lets the sun through, and a model that is pai
   CHECK(light(on_slab(box, "\"oak\"")) < open - 40);
 }
 
+TEST_CASE("picture: what glass stands on is seen through its foot everywhere") {
+  PlacedThing box = placed("", {2, 2, 0.1}, {2, 2, 1.5});
+  box.extras.emplace_back("material", "\"glass\"");
+  const Scene scene = scene_of({colored(placed("", {0, 0, 0}, {6, 6, 0.1}), {0.8, 0.8, 0.8}), box});
+  const PictureSize size{320, 240};
+  const Camera camera = default_camera(scene, 320.0 / 240);
+  const Picture picture = Painter().draw(scene, size, camera);
+  int darkest = 255, brightest = 0;
+  for (double right = 2.1; right < 3.95; right += 0.05) {
+    for (double deep = 2.1; deep < 3.95; deep += 0.05) {
+      const auto [x, y] = seen_at(camera, {right, 0.1, -deep});
+      const auto column = static_cast<std::size_t>((x + 1) / 2 * 320),
+                 row = static_cast<std::size_t>((1 - y) / 2 * 240);
+      REQUIRE(picture.objects[row * 320 + column] == 0);
+      const int light = picture.image.pixel(column, row)[1];
+      darkest = std::min(darkest, light), brightest = std::max(brightest, light);
+    }
+  }
+  CHECK(brightest - darkest < 40);
+}
+
 TEST_CASE(
     "picture: the walls towards the camera are cut low, with their doors and windows and what is tall at "
     "them") {
@@ -172,6 +193,8 @@ TEST_CASE(
   things.push_back(placed("", {0.2, 0.0, 1.2}, {1, 0.05, 0.6}));        // hangs at the front wall
   things.push_back(placed("", {3.2, 0.05, 0}, {0.8, 0.4, 0.7}));        // stands there, but is low
   things.push_back(placed("", {3.5, 0.05, 0.7}, {0.2, 0.2, 0.4}));      // on that
+  things.push_back(placed("cone", {1, -0.125, 2.5}, {0.15, 0.15, 0.3}));  // on the front wall
+  things.push_back(placed("", {3, -1, 2.5}, {2, 1.9, 0.1}));              // on it, too, but much wider
   const Scene scene = scene_of(things);
   const auto cut = cut_heights(scene, three_quarter_view());
   std::set<std::size_t> low;
@@ -180,7 +203,7 @@ TEST_CASE(
     low.insert(i);
     CHECK(*cut[i] == (i == 9 ? 0.8 : 0.3));
   }
-  CHECK(low == std::set<std::size_t>{2, 4, 6, 8, 9, 10, 12});
+  CHECK(low == std::set<std::size_t>{2, 4, 6, 8, 9, 10, 12, 15});
 
   const Picture picture = Painter().draw(scene_of(room()), kSmall);
   const auto pixels = pixels_of_objects(picture);

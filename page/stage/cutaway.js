@@ -8,6 +8,7 @@ const kTallest = 1.2;      // metres, of what stands there whole
 const kAtWall = 0.15;      // metres between a wall and what stands at it
 const kFooting = 0.05;     // metres between a thing and what it stands on
 const kOverlap = 0.25;     // metres of a thing that a wall may hide or stand on
+const kWidestOnTop = 2;    // times as wide as the wall is what goes with it, standing on it
 const kMostAsked = 2000;   // things that are asked what they stand on
 const kMostComparisons = 1e6;
 
@@ -48,11 +49,22 @@ function towersAt(thing, wall) {
   return thing.min.y <= wall.min.y + kCutHeight && thing.max.y - wall.min.y >= kTallest && isAt(thing, wall);
 }
 
+function standsOn(thing, below) {
+  const middle = thing.getCenter(thing.min.clone()).setY(below.min.y);
+  return isWithin(middle, below) && Math.abs(thing.min.y - below.max.y) < kFooting;
+}
+
 /** Tells whether the thing is at the wall above what is left of it, and stands on none of the boxes. */
 function hangsAt(thing, wall, boxes) {
   if (thing.min.y <= wall.min.y + kCutHeight || thing.min.y >= wall.max.y || !isAt(thing, wall)) return false;
-  const foot = thing.getCenter(thing.min.clone());
-  return !boxes.some((box) => isWithin(foot.setY(box.min.y), box) && Math.abs(thing.min.y - box.max.y) < kFooting);
+  return !boxes.some((box) => standsOn(thing, box));
+}
+
+/** Tells whether the thing is in a wall, or stands on it and is not much wider, as a tower's roof. */
+function belongsTo(thing, wall) {
+  const base = thing.getCenter(thing.min.clone()).setY(thing.min.y);
+  const isNarrow = (axis) => thing.max[axis] - thing.min[axis] < kWidestOnTop * (wall.max[axis] - wall.min[axis]);
+  return isWithin(base, wall) || (standsOn(thing, wall) && isNarrow('x') && isNarrow('z'));
 }
 
 export class Cutaway {
@@ -85,8 +97,7 @@ export class Cutaway {
 
   /** What is in a wall goes with it; anything else may be hidden. */
   #sort(object) {
-    const base = object.box.getCenter(object.box.min.clone()).setY(object.box.min.y);
-    const around = this.walls.find((wall) => isWithin(base, wall.object.box));
+    const around = this.walls.find((wall) => belongsTo(object.box, wall.object.box));
     if (around) {
       around.fixtures.push(object);
       return;

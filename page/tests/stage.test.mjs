@@ -46,6 +46,16 @@ test('cutaway: from straight above, and from below, nothing is in the way', () =
   assert.deepEqual(cutFrom(0, -1, 1), {});
 });
 
+test('cutaway: what stands on a wall goes with it, unless it is much wider', () => {
+  const above = [
+    { address: 'cap', name: 'cone', box: box(1, 2.5, 3.92, 1.2, 2.8, 4.08) },
+    { address: 'slab', name: 'slab', box: box(0, 2.5, 3, 4, 2.6, 5) },
+  ];
+  const heights = new Cutaway([...objects, ...above], ['front']).heights(point(0, Math.SQRT1_2, Math.SQRT1_2));
+  const cut = [...heights.keys()].map(({ address }) => address);
+  assert.ok(cut.includes('cap') && !cut.includes('slab'));
+});
+
 test('one stands in the open, near the front, and not in a thing', () => {
   const bounds = box(0, 0, 0, 6, 2.5, 6);
   const things = [box(0, 0, 5, 3, 1, 6), box(0, 0, 0, 6, 0.05, 6)];  // something at the front left, a floor

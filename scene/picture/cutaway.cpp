@@ -17,6 +17,7 @@ constexpr double kFooting = 0.05;         // metres between a thing and what it 
 constexpr double kLowestWall = 1.0;       // metres; what is lower hides little
 constexpr double kThickestWall = 0.6;     // metres, of plain boxes
 constexpr double kOverlap = 0.25;         // metres of a thing that a wall may hide or stand on
+constexpr double kWidestOnTop = 2;        // times as wide as the wall is what goes with it, standing on it
 constexpr std::size_t kMostAsked = 2000;  // things that are asked what they stand on
 constexpr std::size_t kMostWallPairs = 20'000'000;
 
@@ -88,6 +89,15 @@ bool stands_on(const Box3& thing, const Box3& below) {
   return is_within(middle, below) && std::abs(thing.low[2] - below.high[2]) < kFooting;
 }
 
+/// Returns true for what is in a wall, or stands on it and is not much wider, as a tower's roof does and a
+/// floor does not.
+bool belongs_to(const PlacedBox& thing, const Box3& wall) {
+  if (is_within(thing.center, wall)) return true;
+  const Box3 box = bounds(thing);
+  return stands_on(box, wall) && box.size()[0] < kWidestOnTop * wall.size()[0] &&
+         box.size()[1] < kWidestOnTop * wall.size()[1];
+}
+
 /// Finds the walls to cut, and what is cut with them.
 class Cutaway {
  public:
@@ -132,9 +142,8 @@ class Cutaway {
         continue;
       }
       const SceneObject& object = scene_.objects[i];
-      const auto around = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& wall) {
-        return is_within(object.box.center, wall.box);
-      });
+      const auto around = std::find_if(walls_.begin(), walls_.end(),
+                                       [&](const Wall& wall) { return belongs_to(object.box, wall.box); });
       if (around == walls_.end()) {
         hidden_.push_back(core(object.box));
         others_.push_back(i);

@@ -154,7 +154,9 @@ class Drawing {
     std::optional<Hit> hit = scene_.trace(ray);
     for (int panes = 0; hit && hit->finish->opacity < 1 && panes < kMostPanes; ++panes) {
       if (!hit->from_behind) add_pane(*hit, ray, sight);
-      hit = scene_.trace(ray, hit->distance + 0.01F * eye_.pixel(hit->distance));
+      // What is not clear is seen also where it lies in the plane of the pane: the table below a bottle.
+      const float step = 0.01F * eye_.pixel(hit->distance);
+      hit = scene_.trace(ray, hit->distance - step, hit->distance + step);
     }
     if (hit) {
       sight.object = static_cast<std::int32_t>(hit->object);

@@ -113,14 +113,14 @@ void RayScene::attach(RTCDevice device, const TracedShape& shape, const Affine& 
   rtcAttachGeometryByID(scene_.get(), instance.get(), static_cast<unsigned>(objects_.size()) - 1);
 }
 
-std::optional<Hit> RayScene::trace(const Ray& ray, float beyond) const {
+std::optional<Hit> RayScene::trace(const Ray& ray, float beyond, float clear_beyond) const {
   RTCRayHit found{};
   found.ray = to_embree(ray);
   found.ray.tnear = beyond;
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_.get(), &context, &found);
+  TracedShape::Question question{{}, clear_beyond};
+  rtcInitIntersectContext(&question.context);
+  rtcIntersect1(scene_.get(), &question.context, &found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return hit_of(ray, found);
 }

@@ -36,8 +36,9 @@ class RayScene {
   /// `cut` holds a height for each object, as cut_heights returns it.
   RayScene(TracedShapes& shapes, const Scene& scene, const std::vector<std::optional<double>>& cut);
 
-  /// Returns what the ray meets first further away than `beyond`.
-  std::optional<Hit> trace(const Ray& ray, float beyond = 0) const;
+  /// Returns what the ray meets first further away than `beyond`; clear surfaces only if they are further
+  /// away than `clear_beyond`, too.
+  std::optional<Hit> trace(const Ray& ray, float beyond = 0, float clear_beyond = 0) const;
   /// Returns for each of four directions whether a ray from the origin meets nothing but clear surfaces.
   std::array<bool, 4> are_free(const Vector& origin, const std::array<Vector, 4>& directions) const;
 

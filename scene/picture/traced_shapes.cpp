@@ -25,6 +25,12 @@ void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_
 /// Clear surfaces cast no shadows.
 void let_pass(const RTCFilterFunctionNArguments* met) { std::fill_n(met->valid, met->N, 0); }
 
+/// Lets a ray pass a clear surface that is nearer than those that it asks for.
+void let_pass_if_near(const RTCFilterFunctionNArguments* met) {
+  const float nearest = reinterpret_cast<const TracedShape::Question*>(met->context)->clear_beyond;
+  if (RTCRayN_tfar(met->ray, met->N, 0) <= nearest) *met->valid = 0;
+}
+
 }  // namespace
 
 void check_embree(RTCDevice device) {
@@ -69,7 +75,10 @@ void TracedShapes::attach(const TracedShape& traced, std::size_t begin, std::siz
        [&](std::size_t i) { return traced.shape.points[i]; });
   fill(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, end - begin,
        [&](std::size_t i) { return traced.shape.triangles[begin + i].corners; });
-  if (number == TracedShape::kClear) rtcSetGeometryOccludedFilterFunction(geometry.get(), let_pass);
+  if (number == TracedShape::kClear) {
+    rtcSetGeometryOccludedFilterFunction(geometry.get(), let_pass);
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), let_pass_if_near);
+  }
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(traced.scene.get(), geometry.get(), number);
 }

@@ -11,6 +11,13 @@ struct TracedShape {
   /// The number of the geometry with the clear triangles; that of the others is 0.
   static constexpr unsigned kClear = 1;
 
+  /// What a single ray that looks for the nearest surface is asked with. Embree hands on the context, which
+  /// therefore comes first.
+  struct Question {
+    RTCIntersectContext context;
+    float clear_beyond;  // clear triangles count only if they are further away
+  };
+
   Shape shape;
   Embree<RTCScene> scene;
 };

@@ -10,9 +10,9 @@ namespace {
 
 /// Names of other systems for what a builtin that takes extras calls otherwise.
 constexpr std::pair<std::string_view, std::string_view> kForeignParameters[] = {
-    {"rotation", "turn"}, {"rotate", "turn"}, {"orientation", "turn"}, {"degrees", "angle"},
-    {"width", "size"},    {"depth", "size"},  {"height", "size"},      {"dimensions", "size"},
-    {"position", "at"},   {"pos", "at"},      {"location", "at"},      {"translation", "at"},
+    {"rotation", "angle"}, {"rotate", "angle"}, {"orientation", "turn"}, {"degrees", "angle"},
+    {"width", "size"},     {"depth", "size"},   {"height", "size"},      {"dimensions", "size"},
+    {"position", "at"},    {"pos", "at"},       {"location", "at"},      {"translation", "at"},
     {"model", "asset"},
 };
 
@@ -23,6 +23,25 @@ std::string meant_parameter(const Builtin& builtin, std::string_view name) {
     if (foreign == name) return std::string(meant);
   }
   return misspelled_name(name, {builtin.parameters.begin(), builtin.parameters.end()});
+}
+
+/// Returns what to do where something is called that is no function: perhaps a variable hides one.
+std::string help_to_call(const Expr& callee, const Program& program) {
+  const std::string others = "only functions and records can";
+  if (callee.kind != ExprKind::kName) return others;
+  const std::string& name = static_cast<const NameExpr&>(callee).name;
+  const auto hides = [&](const std::string& what) {
+    return fmt::format("the variable '{}' hides {} of that name; call the variable something else", name,
+                       what);
+  };
+  for (const Module& module : program.modules) {
+    if (module.source != callee.span.source) continue;
+    for (const std::uint32_t imported : module.imports) {
+      const Module& other = program.modules[imported];
+      if (other.names.contains(name)) return hides("what " + other.label + " has");
+    }
+  }
+  return find_builtin(name) ? hides("the builtin") : others;
 }
 
 bool is_assert(const Value& callee) {
@@ -111,7 +130,7 @@ Value Calls::call_value(const Value& callee, const CallExpr& site, std::vector<V
                           std::move(named)));
   }
   program_error(site.callee->span, fmt::format("{} cannot be called", describe(callee)),
-                "only functions and records can");
+                help_to_call(*site.callee, program()));
 }
 
 /// The arguments in the order of the parameters; Unset where the default is to be taken.

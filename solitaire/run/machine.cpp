@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <string_view>
 
 #include "solitaire/value/short_text.h"
 
@@ -11,6 +12,15 @@ namespace {
 
 /// How many of the calls around an error its message names.
 constexpr std::size_t kShownCalls = 8;
+constexpr std::size_t kWidestCall = 100;  // characters of a call that are shown
+
+/// Returns the first line of a text, cut off where it is long.
+std::string one_line(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  std::size_t end = std::min(line.size(), kWidestCall);
+  while (end > 0 && end < line.size() && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80) --end;
+  return std::string(line.substr(0, end)) + (end < text.size() ? " ..." : "");
+}
 
 }  // namespace
 
@@ -130,15 +140,21 @@ std::uint32_t Machine::call_record(Activation& activation) {
   return activation.record;
 }
 
+/// Names the calls that led here, without those that the library makes. Of an error in the library, the text
+/// of the call that the program made is told: it is the place to look at.
 Diagnostic Machine::diagnose(Span span, const std::string& message, const std::string& help) const {
   Diagnostic diagnostic{span, message, help, {}};
+  const bool in_library = program_.is_library(*current_->function);
   std::size_t shown = 0;
   for (const Activation* at = current_; at != nullptr && at->call != nullptr; at = at->caller) {
+    if (program_.is_library(*at->caller->function)) continue;
     if (++shown > kShownCalls) {
       diagnostic.notes.push_back("and so on");
       break;
     }
-    diagnostic.notes.push_back(fmt::format("called at {}", program_.sources.place(at->call->span)));
+    std::string note = fmt::format("called at {}", program_.sources.place(at->call->span));
+    if (in_library && shown == 1) note += ": " + one_line(program_.sources.text(at->call->span));
+    diagnostic.notes.push_back(std::move(note));
   }
   return diagnostic;
 }

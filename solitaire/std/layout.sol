@@ -164,10 +164,15 @@ fun show_in_wall(o, r, thickness = nil) {
   place(o.kind, at: [x, y], size: [o.w, out + frame], turn: o.turn);
 }
 
+// A floor whose upper side is at height 0, so that a rug lies on it.
+fun show_floor(r) {
+  place("floor", at: [r.x, r.y, 0 - size_of("floor")[2] / unit()], size: [width(r), depth(r)], name: "floor");
+}
+
 // A floor and four walls around r; the walls stand outside of it. Without a height they are as high as in a house.
 fun show_room(r, thickness = nil, height = nil) {
   if thickness == nil then thickness = wall_thickness();
-  place("floor", at: [r.x, r.y], size: [width(r), depth(r)], name: "floor");
+  show_floor(r);
   long = width(r) + 2 * thickness;
   show_wall([r.x - thickness, y2(r)], long, thickness, height, 0, "back wall");
   show_wall([r.x - thickness, r.y - thickness], long, thickness, height, 0, "front wall");

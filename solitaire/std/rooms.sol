@@ -51,7 +51,7 @@ fun fills(rooms, site) {
 // The floors of the rooms, and a wall on each line where one of them ends.
 fun show_rooms(rooms, thickness = nil, height = nil, material = "plaster") {
   if thickness == nil then thickness = wall_thickness();
-  for r in rooms: place("floor", at: [r.x, r.y], size: [width(r), depth(r)], name: "floor");
+  for r in rooms: show_floor(r);
   lying = [[y, x] for r in rooms for y in [y1(r), y2(r)] for x in x1(r)..x2(r) - 1];
   standing = [[x, y] for r in rooms for x in [x1(r), x2(r)] for y in y1(r)..y2(r) - 1];
   for line, from, long in runs(lying) {

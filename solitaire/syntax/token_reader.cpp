@@ -53,10 +53,15 @@ bool TokenReader::accept(TokenKind kind) {
 
 const Token& TokenReader::expect(TokenKind kind, const std::string& where, const std::string& help) {
   if (!at(kind)) {
-    fail(fmt::format("expected {} {}, found {}", describe(kind), where, describe(peek().kind)), help);
+    fail(fmt::format("expected {} {}, found {}", describe(kind), where, describe(peek().kind)),
+         help.empty() ? help_for_if() : help);
     return peek();
   }
   return take();
+}
+
+std::string TokenReader::help_for_if() const {
+  return at(TokenKind::kIf) ? "one of two values is written: if c then a else b" : "";
 }
 
 bool TokenReader::starts_line(std::size_t token) const {
@@ -133,7 +138,8 @@ void TokenReader::skip_to_next_statement() {
     if (kind == TokenKind::kLeftBrace) ++open;
     if (kind == TokenKind::kRightBrace && --open < 0) break;
     if (open > 0) continue;
-    if (at_ > statement_start_ && starts_statement(kind)) break;
+    const bool may_be_in_list = kind == TokenKind::kFor && !starts_line(at_);
+    if (at_ > statement_start_ && starts_statement(kind) && !may_be_in_list) break;
     if (kind == TokenKind::kSemicolon || (kind == TokenKind::kRightBrace && open == 0)) {
       skip();
       break;

@@ -92,6 +92,7 @@ class TokenReader {
   std::vector<std::string> take_skipped_names();
 
  private:
+  std::string help_for_if() const;
   bool starts_line(std::size_t token) const;
   void panic();
   void distrust_assigned();

@@ -1,0 +1,47 @@
+// Maps of tiles as the command line makes them.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+
+#include "tests/command.h"
+
+namespace solitaire {
+namespace {
+
+/// A problem of two tiles that stand in any order, in which trees are shown as the model `asset`.
+std::string wood(std::string_view asset) {
+  return fmt::format(R"({{"exemplars": ["wood.txt"], "size": [6, 5],
+    "tiles": [{{"name": "tree", "char": "T", "asset": "{}"}}, {{"name": "grass", "char": ".", "height": 0.1}}]}})",
+                     asset);
+}
+
+}  // namespace
+
+TEST_CASE("tiles: maps whose tiles are models are written with their scenes, and the page shows them") {
+  const Workplace place;
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string problem = place.file("wood.tiles.json", wood("tree"));
+  const Outcome outcome = run_solitaire(
+      {"tiles", problem, "--weights", "step", "-n", "2", "--format", "txt,glb", "-o", place / "out"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.find("no model") == std::string::npos);
+  for (const char* name : {"wood-0001", "wood-0002"}) {
+    CHECK(bytes_of(place / fmt::format("out/{}.glb", name)).starts_with("glTF"));
+    CHECK(bytes_of(place / fmt::format("out/page/{}.js", name)).size() > 10'000);  // with the tree's mesh
+  }
+  CHECK(bytes_of(place / "out/wood-0001.glb").find("\"tree\"") != std::string::npos);
+}
+
+TEST_CASE("tiles: a model that there is not is told at the end") {
+  const Workplace place;
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string problem = place.file("wood.tiles.json", wood("treee"));
+  const Outcome outcome =
+      run_solitaire({"tiles", problem, "--weights", "step", "--format", "glb", "-o", place / "out"});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.find("treee (did you mean tree?): no model is called so") != std::string::npos);
+}
+
+}  // namespace solitaire
