@@ -46,7 +46,7 @@ try {
   await picture(browser, 'plan', `${workspace}#open-1`, { ...kDesk, colorScheme: 'dark' }, view('Plan'));
   await picture(browser, 'phone', `${workspace}#open-2`, kPhone);
   copyFileSync(join(folder, 'workspace/workspace-0001.json'), join(folder, 'first.json'));
-  const kept = pageOf('workspace', '-n', '2', '--pin-file', join(folder, 'first.json'), '--keep', 'w', '--keep', 'd',
+  const kept = pageOf('workspace', '-n', '2', '--pin-file', join(folder, 'first.json'), '--keep', 'room.w', '--keep', 'room.d',
                       '--keep', 'make_group[*]/make_table[*]/**');
   await picture(browser, 'compare', `${kept}#compare-1-2`, kDesk);
 } finally {
