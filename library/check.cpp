@@ -10,7 +10,7 @@ namespace solitaire::api {
 Checked check(const Program& program, const Options& options, bool deep) {
   const solitaire::Program& parsed = program.state().program;
   TracedProgram traced(parsed, values_of_params(program.state(), program.settings()),
-                       engine_options(options));
+                       engine_options(program, options));
   Checked checked;
   checked.warnings = public_diagnostics(parsed.warnings, parsed.sources);
   return translated(parsed.sources, [&] {

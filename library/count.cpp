@@ -33,7 +33,7 @@ class Counter::State {
       : program_(program),
         options_(options),
         counter_(program.state().program, values_of_params(program.state(), program.settings()),
-                 engine_options(options), counting_of(options)) {}
+                 engine_options(program, options), counting_of(options)) {}
 
   std::optional<Count> run(const std::function<void(const std::string&)>& progress) {
     return translated(program_.state().program.sources, [&]() -> std::optional<Count> {

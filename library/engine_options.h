@@ -1,5 +1,6 @@
 #pragma once
 #include <solitaire/options.h>
+#include <solitaire/program.h>
 
 #include "engines/solve/options.h"
 
@@ -7,7 +8,7 @@ namespace solitaire::api {
 
 // Translate the public options to those of engines. Both throw Error: kUsage, and kFile for a pin file.
 
-TracingOptions engine_options(const Options& options);
-TracingOptions engine_options(const SearchOptions& options);
+TracingOptions engine_options(const Program& program, const Options& options);
+TracingOptions engine_options(const Program& program, const SearchOptions& options);
 
 }  // namespace solitaire::api

@@ -21,7 +21,7 @@ struct Questions {
         options(explain_options),
         parsed(program.state().program),
         params(values_of_params(program.state(), program.settings())),
-        engine(engine_options(options)) {}
+        engine(engine_options(program, options)) {}
 
   const Program& program;
   const ExplainOptions& options;
@@ -68,7 +68,7 @@ class Explainer::State {
       : program_(program),
         stop_(options.stop),
         explainer_(program.state().program, values_of_params(program.state(), program.settings()),
-                   engine_options(options).exact()) {
+                   engine_options(program, options).exact()) {
     explainer_.on_smaller([this](const solitaire::Conflict& conflict) { keep(conflict); });
   }
 

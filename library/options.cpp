@@ -70,21 +70,21 @@ std::string Options::exploration_name() const {
   return solver == Solver::kThesis ? "random:100" : "demand";
 }
 
-TracingOptions engine_options(const Options& options) {
+TracingOptions engine_options(const Program& program, const Options& options) {
   TracingOptions tracing;
   tracing.exploration = exploration_of(options);
   tracing.seed = options.seed;
   tracing.method = &method_of(options.solver);
   tracing.diverse = tracing.method->can_diversify();
-  tracing.pins = pins_of(options);
+  tracing.pins = pins_of(program, options);
   tracing.limits.max_steps = options.max_steps;
   tracing.limits.max_depth = options.max_depth;
   tracing.limits.stop = StopAccess::signal(options.stop);
   return tracing;
 }
 
-TracingOptions engine_options(const SearchOptions& options) {
-  TracingOptions tracing = engine_options(static_cast<const Options&>(options));
+TracingOptions engine_options(const Program& program, const SearchOptions& options) {
+  TracingOptions tracing = engine_options(program, static_cast<const Options&>(options));
   const Diversity usual = options.all ? Diversity::kLow : Diversity::kNormal;
   const Diversity diversity = options.diversity.value_or(usual);
   tracing.diverse = tracing.diverse && diversity != Diversity::kLow;

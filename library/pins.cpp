@@ -6,6 +6,7 @@
 #include <optional>
 #include <solitaire/error.h>
 
+#include "library/former_addresses.h"
 #include "library/freeze.h"
 #include "library/solution_file.h"
 
@@ -78,10 +79,12 @@ class Keep {
   std::vector<std::vector<std::string>> addresses_;  // of all choices of the file
 };
 
-void add_pins_of_file(const Options& options, std::vector<solitaire::Pin>& pins) {
+void add_pins_of_file(const Program& program, const Options& options, std::vector<solitaire::Pin>& pins) {
   const std::string file = options.pin_file.string();
   Keep keep(options.keep);
-  for (const Choice& choice : choices_of(read_solution_file(options.pin_file), file)) {
+  std::vector<Choice> choices = choices_of(read_solution_file(options.pin_file), file);
+  name_as_today(program, choices);
+  for (const Choice& choice : choices) {
     const AddressPattern address(choice.address);
     if (keep.matches(address)) {
       const std::string source = fmt::format("--pin-file {} ({})", file, choice.address);
@@ -105,13 +108,13 @@ Pin parse_pin(const std::string& text, bool forbidden, const std::string& source
   return {text.substr(0, sign), parse_value(value, source), forbidden, source, std::move(value)};
 }
 
-std::vector<solitaire::Pin> pins_of(const Options& options) {
+std::vector<solitaire::Pin> pins_of(const Program& program, const Options& options) {
   std::vector<solitaire::Pin> pins;
   for (const Pin& pin : options.pins) {
     pins.push_back({AddressPattern(pin.pattern), {}, pin.forbidden, pin.source, pin.element});
     if (pin.value) pins.back().value = scalar_of(*pin.value);
   }
-  if (!options.pin_file.empty()) add_pins_of_file(options, pins);
+  if (!options.pin_file.empty()) add_pins_of_file(program, options, pins);
   return pins;
 }
 

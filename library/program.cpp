@@ -20,12 +20,6 @@ std::shared_ptr<Program::State> state_of(const std::filesystem::path& script, co
   return state;
 }
 
-LoadOptions load_options(const Program::State& state) {
-  return {{state.data, state.data / "solitaire"},
-          std::make_shared<KnownModels>(state.asset_library()),
-          std::make_shared<KnownTileFiles>(DiskFiles().canonical(state.script).parent_path())};
-}
-
 std::shared_ptr<const Program::State> loaded(const std::filesystem::path& script, const Files& files,
                                              const ProgramFiles& texts) {
   const auto state = state_of(script, files);
@@ -36,6 +30,12 @@ std::shared_ptr<const Program::State> loaded(const std::filesystem::path& script
 }
 
 }  // namespace
+
+LoadOptions load_options(const Program::State& state) {
+  return {{state.data, state.data / "solitaire"},
+          std::make_shared<KnownModels>(state.asset_library()),
+          std::make_shared<KnownTileFiles>(DiskFiles().canonical(state.script).parent_path())};
+}
 
 std::filesystem::path installed_data() {
   return translated({}, [] { return find_data_folder(); });

@@ -22,6 +22,9 @@ struct Program::State {
   AssetLibrary asset_library() const;
 };
 
+/// Returns how the program was loaded.
+LoadOptions load_options(const Program::State& state);
+
 /// Returns the values of params that were set, which belong to the caller's thread. Throws Error (kUsage).
 ParamValues values_of_params(const Program::State& state,
                              const std::vector<std::pair<std::string, std::string>>& settings);

@@ -56,14 +56,14 @@ std::unique_ptr<SolutionStream> samples_of(const Program& program, const ParamVa
         "--engine shred draws executions by how probable they are: it holds no choices fixed, breaks no "
         "asserts, and there is neither an end nor a distance");
   }
-  return std::make_unique<SampleStream>(program.state().program, params, engine_options(options).limits,
-                                        options.seed);
+  return std::make_unique<SampleStream>(program.state().program, params,
+                                        engine_options(program, options).limits, options.seed);
 }
 
 std::unique_ptr<SolutionStream> stream_of(const Program& program, const ParamValues& params,
                                           const SearchOptions& options) {
   if (options.solver == Solver::kShred) return samples_of(program, params, options);
-  const TracingOptions tracing = engine_options(options);
+  const TracingOptions tracing = engine_options(program, options);
   const solitaire::Program& parsed = program.state().program;
   if (options.sampling == Sampling::kUniform) {
     return std::make_unique<UniformSeries>(parsed, params, tracing, apart_of(options.distinct));
@@ -168,7 +168,7 @@ void Search::State::improved(const solitaire::Solution& solution) {
 void Search::State::check_errors() {
   SearchOptions strict = with_stop(options_, stop_.token());
   strict.relax = false;
-  TracedProgram(program_.state().program, params_, engine_options(strict)).check();
+  TracedProgram(program_.state().program, params_, engine_options(program_, strict)).check();
 }
 
 std::vector<Solution> Search::State::resume(const std::vector<std::vector<Choice>>& earlier) {

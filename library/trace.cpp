@@ -32,7 +32,7 @@ std::string trace(const Program& program, const Options& options, TraceFormat fo
   const solitaire::Program& parsed = program.state().program;
   return translated(parsed.sources, [&] {
     TracingEngine engine(parsed, values_of_params(program.state(), program.settings()),
-                         engine_options(options));
+                         engine_options(program, options));
     engine.explore();
     return text_of(engine, format);
   });

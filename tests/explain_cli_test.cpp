@@ -276,8 +276,10 @@ json choices_of(const std::string& text) {
 
 json choices_in(const std::filesystem::path& file) { return choices_of(bytes_of(file)); }
 
-json solve(const Workplace& place, std::vector<std::string> options) {
-  options.insert(options.begin(), {"solve", place.file("seats.sol", kSeats), "--json", "-q"});
+/// The choices of the first solution of a script, or of kSeats where none is named.
+json solve(const Workplace& place, std::vector<std::string> options, const std::string& script = "") {
+  options.insert(options.begin(),
+                 {"solve", script.empty() ? place.file("seats.sol", kSeats) : script, "--json", "-q"});
   const Outcome outcome = run_solitaire(options);
   CHECK(outcome.status == 0);
   return choices_of(outcome.out);
@@ -309,6 +311,56 @@ TEST_CASE("cli: --pin-file keeps what was liked of a solution") {
   CHECK(wrong.status == 2);
   CHECK(has(wrong.err, "--keep 'seat[2]/x' matches no choice"));
   CHECK(has(wrong.err, "seat[0]/x"));
+}
+
+TEST_CASE("cli: --pin-file takes files in which earlier versions named choices otherwise") {
+  const Workplace place;
+  place.file("part.sol", "length = range(0, 9);\n");
+  const std::string script =
+      place.file("room.sol",
+                 "import \"std/layout.sol\";\nimport \"part.sol\";\nrecord Spot(x, y);\n"
+                 "fun sofa() { return anywhere(\"sofa\", 2, 1, 9, 9); }\n"
+                 "desk = Spot(range(0, 9), range(0, 9));\nlamp = Spot(range(0, 9), range(0, 9));\nlamp.x = "
+                 "range(0, 9);\n"
+                 "seat = anywhere(\"chair\", 1, 1, 9, 9);\nsofas = repeat(2, sofa);\nassert(desk.x < "
+                 "9);\nreturn nil;\n");
+  // Of the same solution, in the order in which the program meets the choices.
+  const std::vector<std::string> today = {"part.sol/length", "desk.x",        "desk.y",     "lamp.x",
+                                          "lamp.y",          "lamp.x#2",      "seat/turn",  "seat/x",
+                                          "seat/y",          "sofas[0]/turn", "sofas[0]/x", "sofas[0]/y",
+                                          "sofas[1]/turn",   "sofas[1]/x",    "sofas[1]/y"};
+  const auto renamed = [&](std::vector<std::pair<std::string, std::string>> changes) {
+    json choices = json::array();
+    for (std::size_t i = 0; i < today.size(); ++i) {
+      std::string name = today[i];
+      for (const auto& [from, to] : changes) {
+        if (name.rfind(from, 0) == 0) {
+          name = to + name.substr(from.size());
+          break;
+        }
+      }
+      choices.push_back({{"at", name}, {"value", i % 4}});
+    }
+    return place.file("earlier.json", json{{"value", nullptr}, {"choices", choices}}.dump());
+  };
+  json expected;
+  for (std::size_t i = 0; i < today.size(); ++i) expected[today[i]] = i % 4;
+  const std::string first = renamed({{"part.sol/", ""},
+                                     {"desk.", ""},
+                                     {"lamp.x#2", "x#3"},
+                                     {"lamp.x", "x#2"},
+                                     {"lamp.y", "y#2"},
+                                     {"seat/", "anywhere/"},
+                                     {"sofas[0]", "repeat/make[0]/anywhere"},
+                                     {"sofas[1]", "repeat/make[1]/anywhere"}});
+  CHECK(solve(place, {"--pin-file", first}, script) == expected);
+  const std::string second = renamed({{"sofas[0]", "sofas[0]/anywhere"}, {"sofas[1]", "sofas[1]/anywhere"}});
+  CHECK(solve(place, {"--pin-file", second, "--keep", "sofas[1]"}, script)["sofas[1]/turn"] == 0);
+  CHECK(solve(place, {"--pin-file", second}, script) == expected);
+  CHECK(solve(place, {"--pin-file", renamed({})}, script) == expected);
+  const Outcome wrong = run_solitaire({"solve", script, "--pin-file", renamed({{"desk.", "chair."}})});
+  CHECK(wrong.status == 2);
+  CHECK(has(wrong.err, "no choice has such an address"));
 }
 
 // The tour of docs/explaining.md.

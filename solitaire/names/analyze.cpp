@@ -35,7 +35,7 @@ Analysis analyze(const FileProvider& files, const std::filesystem::path& script,
   program.models = options.models;
   program.tile_files = options.tile_files;
   const std::vector<std::uint32_t> order = load_modules(files, script, options, program, diagnostics);
-  for (const std::uint32_t module : order) resolve(program, module, diagnostics);
+  for (const std::uint32_t module : order) resolve(program, module, options.naming, diagnostics);
   for (const Module& module : program.modules) add_warnings(module.tree, diagnostics);
   analysis.diagnostics = diagnostics.sorted();
   return analysis;

@@ -16,28 +16,32 @@ const std::vector<StmtPtr>& statements_of(const Program& program, const NameExpr
 
 }  // namespace
 
-std::string target_name(const Expr& target) {
+std::string target_name(const Expr& target, Naming naming) {
   switch (target.kind) {
     case ExprKind::kName:
       return static_cast<const NameExpr&>(target).name;
-    case ExprKind::kField:
-      return target_name(*static_cast<const FieldExpr&>(target).object) + '.' +
-             static_cast<const FieldExpr&>(target).field;
+    case ExprKind::kField: {
+      const auto& access = static_cast<const FieldExpr&>(target);
+      return naming == Naming::kAfterFunctions ? access.field
+                                               : target_name(*access.object) + '.' + access.field;
+    }
     case ExprKind::kIndex:
-      return target_name(*static_cast<const IndexExpr&>(target).object);
+      return target_name(*static_cast<const IndexExpr&>(target).object, naming);
     default:
       return "";
   }
 }
 
-std::string call_label(const Program& program, const Expr& callee, const std::string& purpose) {
+std::string call_label(const Program& program, const Expr& callee, const std::string& purpose,
+                       Naming naming) {
   if (callee.kind == ExprKind::kField) return static_cast<const FieldExpr&>(callee).field;
   if (callee.kind != ExprKind::kName) return "call";
   const auto& name = static_cast<const NameExpr&>(callee);
   if (purpose.empty()) return name.name;
   const bool builtin =
       name.binding.kind == Binding::Kind::kBuiltin && is_named_after_purpose(builtins()[name.binding.level]);
-  const bool library = is_of_library(program, callee) && imported_fields(program, name) == nullptr;
+  const bool library = naming != Naming::kAfterFunctions && is_of_library(program, callee) &&
+                       imported_fields(program, name) == nullptr;
   return builtin || library ? purpose : name.name;
 }
 

@@ -45,7 +45,7 @@ class ModuleLoader {
     const auto number = static_cast<std::uint32_t>(program_.modules.size());
     Module module;
     module.path = path;
-    module.label = number == 0 ? "" : new_label(path);
+    module.label = number == 0 || options_.naming == Naming::kAfterFunctions ? "" : new_label(path);
     module.is_library = is_library;
     module.source = program_.sources.add(std::move(name), std::move(text));
     module.tree = parse(program_.sources, module.source, diagnostics_);

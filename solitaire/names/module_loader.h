@@ -7,6 +7,7 @@
 
 #include "base/diagnostic.h"
 #include "base/file_provider.h"
+#include "solitaire/names/naming.h"
 #include "solitaire/names/program.h"
 
 namespace solitaire {
@@ -19,6 +20,7 @@ struct LoadOptions {
   std::shared_ptr<const Models> models = nullptr;
   /// The files with tiles that the program can read.
   std::shared_ptr<const TileFiles> tile_files = nullptr;
+  Naming naming = Naming::kToday;
 };
 
 /// Reads and parses a script and what it imports, each file once, into an empty program. Files that are

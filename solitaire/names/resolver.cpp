@@ -14,8 +14,12 @@ namespace {
 
 class Resolver {
  public:
-  Resolver(Program& program, std::uint32_t number, Diagnostics& diagnostics)
-      : program_(program), number_(number), lookup_(program, number), diagnostics_(diagnostics) {}
+  Resolver(Program& program, std::uint32_t number, Naming naming, Diagnostics& diagnostics)
+      : program_(program),
+        number_(number),
+        naming_(naming),
+        lookup_(program, number),
+        diagnostics_(diagnostics) {}
 
   void run() { function(*program_.modules[number_].tree.top); }
 
@@ -200,7 +204,7 @@ class Resolver {
 
   void assign(AssignStmt& node) {
     for (std::size_t i = 0; i < node.values.size(); ++i) {
-      expression_for(i < node.targets.size() ? target_name(*node.targets[i]) : "", *node.values[i]);
+      expression_for(i < node.targets.size() ? target_name(*node.targets[i], naming_) : "", *node.values[i]);
     }
     for (const ExprPtr& target : node.targets) assign_target(*target, node.op.has_value());
   }
@@ -318,11 +322,11 @@ class Resolver {
       const Argument& argument = node.arguments[i];
       std::string purpose = argument.name;
       if (fields != nullptr && argument.name.empty() && i < fields->size()) purpose = (*fields)[i].name;
-      if (fields != nullptr && !purpose.empty() && !scope_->purpose.empty())
-        purpose = scope_->purpose + '.' + purpose;
+      const bool of_variable = naming_ != Naming::kAfterFunctions && !scope_->purpose.empty();
+      if (fields != nullptr && !purpose.empty() && of_variable) purpose = scope_->purpose + '.' + purpose;
       expression_for(purpose, *argument.value);
     }
-    const std::string label = call_label(program_, *node.callee, scope_->purpose);
+    const std::string label = call_label(program_, *node.callee, scope_->purpose, naming_);
     if (calls_parameter(*node.callee)) {
       scope_->parameter_calls.emplace_back(&node.site, label);
     } else if (!is_wrapper(node)) {
@@ -334,7 +338,7 @@ class Resolver {
   /// makes is the function's own and needs no step; then its site is left without a label, if that keeps
   /// addresses apart.
   bool is_wrapper(CallExpr& node) {
-    if (!scope_->purpose.empty() || !scope_->results.contains(&node) ||
+    if (naming_ != Naming::kToday || !scope_->purpose.empty() || !scope_->results.contains(&node) ||
         !is_of_library(program_, *node.callee))
       return false;
     const Function* called = imported_function(program_, static_cast<const NameExpr&>(*node.callee));
@@ -344,6 +348,7 @@ class Resolver {
   /// Returns true if a function of the library calls what it was given.
   bool calls_parameter(const Expr& callee) const {
     if (!program_.modules[number_].is_library || callee.kind != ExprKind::kName) return false;
+    if (naming_ == Naming::kAfterFunctions) return false;
     const auto& name = static_cast<const NameExpr&>(callee);
     return name.binding.kind == Binding::Kind::kLocal &&
            name.binding.slot < scope_->function.parameters.size();
@@ -395,6 +400,7 @@ class Resolver {
 
   Program& program_;
   std::uint32_t number_;
+  Naming naming_;
   Lookup lookup_;
   Diagnostics& diagnostics_;
   Scope* scope_ = nullptr;
@@ -402,8 +408,8 @@ class Resolver {
 
 }  // namespace
 
-void resolve(Program& program, std::uint32_t module, Diagnostics& diagnostics) {
-  Resolver(program, module, diagnostics).run();
+void resolve(Program& program, std::uint32_t module, Naming naming, Diagnostics& diagnostics) {
+  Resolver(program, module, naming, diagnostics).run();
 }
 
 }  // namespace solitaire

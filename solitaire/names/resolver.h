@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "base/diagnostic.h"
+#include "solitaire/names/naming.h"
 #include "solitaire/names/program.h"
 
 namespace solitaire {
@@ -11,6 +12,6 @@ namespace solitaire {
 /// slots of branches and loops, the positions of fields, and every Site. Reports unknown names,
 /// assignments to other functions' variables, and statements out of place. Trees with syntax errors are
 /// resolved as far as they go.
-void resolve(Program& program, std::uint32_t module, Diagnostics& diagnostics);
+void resolve(Program& program, std::uint32_t module, Naming naming, Diagnostics& diagnostics);
 
 }  // namespace solitaire
