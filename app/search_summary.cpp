@@ -17,6 +17,8 @@ std::string ending_text(const Summary& summary, Ending ending, StopReason reason
                                              : ": proved that there is no other";
     case Ending::kUnexplored:
       if (options.search.sampling == Sampling::kUniform) return fmt::format("; {}", kUnexploredText);
+      if (options.search.relax && options.search.exploration_name() == "demand")
+        return "; there is no other among those that solvers can express, which leaves some out";
       return "; the paths that were explored have no other. Explore more of them: --explore random:N with a "
              "larger N, "
              "or demand";

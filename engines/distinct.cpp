@@ -59,8 +59,8 @@ bool DistinctResults::add(const Solution& solution) {
 }
 
 std::string DistinctResults::key(const Solution& solution, Apart apart) {
-  if (apart == Apart::kValue) return to_json(solution.before_output.value_or(solution.value));
-  return fmt::format("{}\n{}", to_json(solution.value), fmt::join(looks_of(solution), "\n"));
+  if (apart == Apart::kValue) return text_of_equal(solution.before_output.value_or(solution.value));
+  return fmt::format("{}\n{}", text_of_equal(solution.value), fmt::join(looks_of(solution), "\n"));
 }
 
 }  // namespace solitaire

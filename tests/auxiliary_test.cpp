@@ -59,6 +59,12 @@ const char* const kPrograms[] = {
     "return x;",
     "aux order = [range(0, 2) for i in 1..3]; assert(distinct(order)); x = flip(); "
     "assert(not x or order[0] > order[1]); return x;",
+    "x = range(0, 3); y = range(0, 3); aux s = range(0, 6); assert(s == x + y); aux even = flip(); "
+    "assert(even == (s % 2 == 0)); assert(even and s > 2); return [x, y];",
+    "aux a = range(0, 3); aux b = range(0, 3); assert(a == b); x = range(0, 3); assert(x <= a); return x;",
+    "x = range(0, 3); if x > 1 { aux a = range(0, 9); assert(a == x * x); } y = flip(); return [x, y];",
+    "x = range(0, 3); aux a = range(0, 2); assert(a == x); return x;",
+    "x = range(0, 3); aux s = range(0, 9); assert(s == x * s); return x;",
 };
 
 }  // namespace

@@ -389,6 +389,26 @@ TEST_CASE("cli: a search that finds nothing says which conditions cannot hold to
   CHECK(run_solitaire({"solve", tight, "-q"}).err == "");
 }
 
+TEST_CASE("cli: --relax says nothing is proved where solvers cannot follow some executions") {
+  const Workplace place;
+  const std::string some = place.file(
+      "some.sol",
+      "x = range(0, 5);\nassert(x > 3, \"far\");\nassert(x < 3);\nif x == 3 then factor(1.0);\nreturn x;\n");
+  const Outcome outcome = run_solitaire({"solve", some, "--relax", "--all"});
+  CHECK(outcome.status == 4);
+  CHECK(has(outcome.out, "not proved the best left"));
+  CHECK_FALSE(has(outcome.out, "proved the best left\n  x = 3"));
+  CHECK(has(outcome.err, "5 solutions"));
+  CHECK(has(outcome.err, "; there is no other among those that solvers can express, which leaves some out"));
+  const std::string all = place.file(
+      "all.sol", "x = range(0, 5);\nassert(x > 3);\nassert(x < 3);\nif x > 7 then factor(1.0);\nreturn x;\n");
+  const Outcome whole = run_solitaire({"solve", all, "--relax", "--all"});
+  CHECK(whole.status == 0);
+  CHECK_FALSE(has(whole.out, "not proved"));
+  CHECK(has(whole.err, "6 solutions"));
+  CHECK(has(whole.err, "proved that there is no other"));
+}
+
 TEST_CASE("cli: --relax gives near misses, and says and shows what is broken") {
   const Workplace place;
   const std::string tight = place.file("tight.sol", kTight);

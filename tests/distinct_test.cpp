@@ -72,6 +72,20 @@ TEST_CASE("distinct: what comes is what every execution shows, once each") {
   }
 }
 
+TEST_CASE("distinct: values are the same where the language says that they are equal") {
+  const auto values = [](const char* text) {
+    const Program program = program_of(text);
+    const std::size_t in_order = tell_apart(program, Apart::kValue, false).keys.size();
+    CHECK(tell_apart(program, Apart::kValue, true).keys.size() == in_order);
+    return in_order;
+  };
+  CHECK(values("return choose([0.0, -0.0, 0, 1.0, 1, 1.5]);") == 3);
+  CHECK(values("return [choose([0.0, -0.0]), range(0, 1) * 1.0];") == 2);
+  CHECK(values("return choose([4611686018427387903, 4611686018427387904.0]);") == 2);
+  CHECK(values("record A(x); record B(x); return choose([A(1), B(1), A(1.0)]);") == 2);
+  CHECK(values("return choose([1, true, \"1\", [1], nil, \"nil\"]);") == 6);
+}
+
 TEST_CASE("distinct: choices that nothing shows are not gone through") {
   const Program cable = program_of(
       "lamp = range(0, 3);\ncable = [range(0, 9) for i in 1..8];\nassert(sum(cable) == 30 + lamp);\n"

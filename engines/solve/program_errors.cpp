@@ -28,6 +28,15 @@ void ProgramErrors::report_reachable() {
   }
 }
 
+bool ProgramErrors::leave_out_executions() {
+  NodeId any = kFalse;
+  for (const TraceProgramError& error : solver_.trace().program_errors) {
+    if (error.origin != TraceProgramError::Origin::kProgram)
+      any = solver_.graph().disjunction(any, error.guard);
+  }
+  return any != kFalse && solver_.find_explored([&] { return std::vector{any}; }) != Outcome::kNone;
+}
+
 /// Returns the error to which an execution with these choices comes, as a run reports it, or what the pass
 /// cannot express. Returns nothing after a further pass, which counts fewer steps since the execution comes
 /// to no error.

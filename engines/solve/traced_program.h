@@ -35,6 +35,8 @@ class TracedProgram {
   /// Looks for errors of the program in what is explored by then. Returns false if a limit came first.
   /// Throws ProgramError and UnmatchedPin.
   bool check();
+  /// Returns true if nothing is known of some executions on explored paths, see ProgramErrors.
+  bool leaves_out_executions() { return errors_.leave_out_executions(); }
   /// Finds all errors that executions can come to, see ProgramErrors::find_all.
   std::vector<Diagnostic> find_errors(bool* complete) { return errors_.find_all(complete); }
 

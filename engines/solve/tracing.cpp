@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engines/errors.h"
+#include "engines/solve/auxiliary.h"
 #include "engines/solve/seen.h"
 #include "engines/tuning.h"
 
@@ -52,9 +53,20 @@ std::optional<Solution> TracingEngine::next_searched(StopSignal::Clock::time_poi
   Attempt best =
       best_first_.next([this](const BestFirst::Most& most) { return attempt(most); }, told_, start);
   ending_ = best.ending;
+  if (options_.relax && leaves_out_executions()) {
+    if (ending_ == Ending::kExhausted) ending_ = Ending::kUnexplored;
+    if (best.found && best.found->solution.quality) best.found->solution.quality->proved = false;
+  }
   if (!best.found) return std::nullopt;
   remember(std::move(best.found->values));
   return std::move(best.found->solution);
+}
+
+/// Returns true if some near misses cannot be found, so that none is proved to be the best or the last.
+bool TracingEngine::leaves_out_executions() {
+  const std::size_t pass = traced_.solver().passes();
+  if (std::exchange(asked_pass_, pass) != pass) leaves_out_ = traced_.leaves_out_executions();
+  return leaves_out_;
 }
 
 /// Looks for a new solution within these bounds: asks the solver until it has one that did not come before
@@ -114,12 +126,13 @@ void TracingEngine::remember(Valuation values) {
   if (met_pass_ > 0 && !enumeration_) exclusion_.tell_last();
 }
 
-/// Returns true where solutions are all as good, no path is left unexplored, and every choice tells them
-/// apart.
-bool TracingEngine::can_enumerate() const {
+/// Returns true where solutions are all as good, no path is left unexplored, and none differ in auxiliary
+/// choices alone.
+bool TracingEngine::can_enumerate() {
   const Trace& trace = traced_.trace();
-  return may_enumerate_ && trace.blockers.empty() && !trace.has_costs() &&
-         std::ranges::none_of(trace.choices, &TraceChoice::auxiliary);
+  if (!may_enumerate_ || !trace.blockers.empty() || trace.has_costs()) return false;
+  if (!enumeration_) may_enumerate_ = follow_from_others(traced_.graph(), trace);
+  return may_enumerate_;
 }
 
 /// Returns nothing if there is no solution left, or another way has to find it.

@@ -56,11 +56,12 @@ class TracingEngine : public SolutionStream,
 
  private:
   void meet_pass();
-  bool can_enumerate() const;
+  bool can_enumerate();
   std::optional<Solution> next_enumerated();
   void give_up_enumeration();
   std::optional<Solution> next_searched(StopSignal::Clock::time_point start);
   Attempt attempt(const BestFirst::Most& most);
+  bool leaves_out_executions();
   ExecutionSolver::Outcome find(const BestFirst::Most& most);
   Candidate candidate(Assignment& assignment);
   void remember(Valuation values);
@@ -75,6 +76,8 @@ class TracingEngine : public SolutionStream,
   std::unique_ptr<Enumeration> enumeration_;  // while it is what finds solutions
   bool may_enumerate_;
   std::size_t met_pass_ = 0;
+  std::size_t asked_pass_ = 0;  // the last pass of which it is known whether it leaves executions out
+  bool leaves_out_ = false;
   std::size_t alike_ = 0;
   std::uint64_t number_;  // of the next solution; its random values depend on it
   std::function<void(const Solution&)> told_;

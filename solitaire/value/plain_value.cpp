@@ -1,6 +1,8 @@
 #include "solitaire/value/plain_value.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -52,14 +54,23 @@ struct JsonWriter {
   void operator()(const PlainValue::Function& function) const { json += json_string(function.name); }
 };
 
-/// Writes the value as the language does.
+/// Returns true if a float is one of the language's ints.
+bool is_an_int(double value) {
+  return std::abs(value) < static_cast<double>(std::int64_t{1} << 62) && value == std::floor(value);
+}
+
+/// Writes the value as the language does. With `by_number`, a float that is an int is written as that int.
 struct TextWriter {
   std::string& text;
+  bool by_number = false;
 
   void operator()(const PlainValue::Nil&) const { text += "nil"; }
   void operator()(bool value) const { text += value ? "true" : "false"; }
   void operator()(std::int64_t value) const { text += std::to_string(value); }
-  void operator()(double value) const { text += float_text(value); }
+  void operator()(double value) const {
+    text +=
+        by_number && is_an_int(value) ? std::to_string(static_cast<std::int64_t>(value)) : float_text(value);
+  }
   void operator()(const std::string& string) const { text += json_string(string); }
   void operator()(const PlainValue::List& list) const {
     append_list(text, '[', list.items.size(), ']', ", ",
@@ -81,6 +92,12 @@ struct TextWriter {
 std::string to_text(const PlainValue& value) {
   std::string text;
   std::visit(TextWriter{text}, value.is);
+  return text;
+}
+
+std::string text_of_equal(const PlainValue& value) {
+  std::string text;
+  std::visit(TextWriter{text, true}, value.is);
   return text;
 }
 

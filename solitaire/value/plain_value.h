@@ -31,6 +31,10 @@ struct PlainValue {
 /// The value as the language writes it.
 std::string to_text(const PlainValue& value);
 
+/// A text that two values share if and only if `==` says that they are equal: 1, 1.0 and, for 0, -0.0 are the
+/// same numbers.
+std::string text_of_equal(const PlainValue& value);
+
 /// The value as JSON: lists as arrays, records as objects of their fields, functions as their names, nil as
 /// null.
 std::string to_json(const PlainValue& value);
