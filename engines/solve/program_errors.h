@@ -18,8 +18,8 @@ class ProgramErrors {
   /// Throws ProgramError if an execution on explored paths comes to an error. Runs a further pass where an
   /// execution would be refused for the steps of others.
   void report_reachable();
-  /// Returns true if executions on explored paths come to what the pass cannot express, after which nothing is
-  /// known of them.
+  /// Returns true if executions on explored paths come to what the pass cannot express, after which nothing
+  /// is known of them.
   bool leave_out_executions();
   /// Looks into every side that an execution can come to. Returns each error with the choices that lead
   /// there, which have been run; `complete` becomes true if no limit came first.
