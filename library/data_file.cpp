@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <solitaire/error.h>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/source.h"
 #include "library/json.h"
 #include "solitaire/value/plain_value.h"
 
@@ -23,7 +26,16 @@ namespace {
 std::string text_of_data(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse_data(path, "cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (const std::size_t at = find_broken_utf8(text); at < text.size()) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    refuse_data(path, fmt::format("is not UTF-8: line {} has the byte \\x{:02x}; save it as UTF-8", line,
+                                  static_cast<unsigned char>(text[at])));
+  }
+  // Spreadsheets mark their tables so, which is no part of the first cell.
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  return text;
 }
 
 std::string list_constant(const std::vector<std::string>& items) {
@@ -63,7 +75,7 @@ std::string json_constant(const Json& json, const std::filesystem::path& path) {
 std::string constant_of_json(const std::filesystem::path& path) {
   try {
     return json_constant(Json::parse(text_of_data(path)), path);
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {
     refuse_data(path, fmt::format("is no JSON: {}", error.what()));
   }
 }
@@ -114,6 +126,7 @@ std::optional<Number> number_in(const std::string& cell) {
   const char* const end = cell.data() + cell.size();
   const auto [stop, error] = std::from_chars(cell.data(), end, number);
   if (cell.empty() || error != std::errc{} || stop != end) return std::nullopt;
+  if (!std::isfinite(static_cast<double>(number))) return std::nullopt;  // "inf" and "nan" are texts
   return number;
 }
 

@@ -140,7 +140,7 @@ TEST_CASE("command: data come from tables and JSON, and a report shows the draws
       place.file("mean.sol",
                  "param points = [];\nm = normal(0, 10);\n"
                  "for x, y in points: observe(Normal(m * x, 1), y);\nreturn m, points;\n");
-  const std::string table = place.file("points.csv", "x, \"the y\"\r\n1, 2.5\r\n2, -1e1\r\n");
+  const std::string table = place.file("points.csv", "\xef\xbb\xbfx, \"the y\"\r\n1, 2.5\r\n2, -1e1\r\n");
   const std::string json = place.file("points.json", "[[1, 2.5], [2, -10.0]]");
   const fs::path report = place / "report.html";
   const Outcome of_table =
@@ -173,6 +173,13 @@ TEST_CASE("command: data that cannot be read are named") {
         std::string::npos);
   CHECK(complaint("object.json", "{\"a\": 1}").find("object.json: has an object") != std::string::npos);
   CHECK(complaint("broken.json", "[1, ").find("broken.json: is no JSON") != std::string::npos);
+  CHECK(complaint("large.json", "[1e999]").find("large.json: is no JSON") != std::string::npos);
+  CHECK(complaint("latin1.csv", "name\nSt\xfchle\n")
+            .find("latin1.csv: is not UTF-8: line 2 has the byte \\xfc") != std::string::npos);
+  CHECK(complaint("utf16.csv", "\xff\xfe").find("utf16.csv: is not UTF-8: line 1") != std::string::npos);
+  const std::string words = place.file("words.csv", "value\ninf\nnan\n1e999\n");
+  const Outcome of_words = run_solitaire({"solve", script, "--data", "xs=" + words});
+  CHECK(of_words.out.find("solution 1: 3") == 0);
   CHECK(complaint("data.txt", "1").find("data end in .json or .csv") != std::string::npos);
 }
 
