@@ -23,7 +23,7 @@ def run(command):
     _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
         sys.exit(f"{command} failed")
-    return time.monotonic() - start, usage.ru_maxrss / 1000
+    return time.monotonic() - start, usage.ru_maxrss * 1024 / 1e6
 
 
 def measure_scenes(program, folder, options):

@@ -341,7 +341,9 @@ TEST_CASE("library: what the library places is said to come from the program's c
                                              "show_room(Rect(0, 0, 5, 5));\n");
   Search search(program, {});
   std::map<std::string, std::set<std::string>> places;
-  for (const Placement& placement : search.next()->placements)
+  const auto solution = search.next();
+  REQUIRE(solution.has_value());
+  for (const Placement& placement : solution->placements)
     places[placement.asset.empty() ? placement.name : placement.asset].insert(placement.source);
   CHECK(places.at("chair") == std::set<std::string>{"room.sol:3:3"});
   CHECK(places.at("lamp") == std::set<std::string>{"room.sol:4:3"});

@@ -120,10 +120,11 @@ std::string plain_data_uri(const std::string& uri, std::string_view media) {
 /// Returns the name, relative to the folder, of the file that a URI means.
 std::string file_of(const std::string& uri, const fs::path& folder) {
   for (const std::string& name : {uri, decoded(uri)}) {
+    if (!lies_within(folder, folder / name))
+      throw SceneError(
+          fmt::format("{} lies outside of the model's folder, where no file is read", shown(uri)));
     std::error_code error;
-    if (!fs::is_regular_file(folder / name, error)) continue;
-    if (lies_within(folder, folder / name)) return name;
-    throw SceneError(fmt::format("{} lies outside of the model's folder, where no file is read", shown(uri)));
+    if (fs::is_regular_file(folder / name, error)) return name;
   }
   throw SceneError(fmt::format("there is no file {}", shown(uri)));
 }

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 #include <map>
-#include <sstream>
+#include <ostream>
+#include <streambuf>
 #include <tiny_gltf.h>
 
 #include "scene/atomic_file.h"
@@ -166,17 +167,38 @@ class ModelBuilder {
   std::map<const Asset*, MeshCopier> copiers_;  // looked up only: its order never shows
 };
 
+/// Appends what is written to a text. A string stream would double its buffer again and again, and with it
+/// the memory that a large scene takes.
+class TextBuffer : public std::streambuf {
+ public:
+  explicit TextBuffer(std::string& text) : text_(text) {}
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize size) override {
+    text_.append(bytes, static_cast<std::size_t>(size));
+    return size;
+  }
+  int_type overflow(int_type byte) override {
+    if (!traits_type::eq_int_type(byte, traits_type::eof())) text_.push_back(traits_type::to_char_type(byte));
+    return traits_type::not_eof(byte);
+  }
+
+ private:
+  std::string& text_;
+};
+
 }  // namespace
 
 std::string glb_bytes(const Scene& scene, Nodes nodes) {
   tinygltf::Model model = ModelBuilder(scene, nodes).build();
-  std::ostringstream stream;
+  std::string bytes;
+  TextBuffer buffer(bytes);
+  std::ostream stream(&buffer);
   tinygltf::TinyGLTF writer;
   if (!writer.WriteGltfSceneToStream(&model, stream, /*prettyPrint=*/false, /*writeBinary=*/true) ||
       !stream) {
     throw SceneError("tinygltf could not write the scene");
   }
-  std::string bytes = std::move(stream).str();
   if (bytes.size() > kLargestGlb) throw SceneError("the scene is too large for a .glb");
   return bytes;
 }
