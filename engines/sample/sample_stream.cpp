@@ -15,6 +15,7 @@ SampleStream::SampleStream(const Program& program, ParamValues params, const Lim
     : program_(program), params_(std::move(params)), limits_(limits), seed_(seed) {}
 
 void SampleStream::sweep(std::uint64_t times) {
+  const Stopwatch watch(times_.solve);
   for (std::uint64_t i = 0; i < times; ++i) {
     if (limits_.stop != nullptr && limits_.stop->stopped()) throw Interrupted{};
     chain_->sweep();
@@ -37,6 +38,8 @@ std::optional<Solution> SampleStream::next() {
 }
 
 Solution SampleStream::solution() {
+  const Stopwatch watch(times_.replay);
+  ++times_.replays;
   const SampledState& state = chain_->state();
   StateChoices choices(state);
   AddressTable& addresses = chain_->addresses();

@@ -42,6 +42,8 @@ class ShredChain : public Chain {
   AddressTable& addresses() { return rerun_.addresses(); }
 
  private:
+  void scan();
+  bool keeps_path(ChoiceNumber choice) const;
   void step();
   void restart();
   void move_jointly();

@@ -10,6 +10,8 @@ namespace {
 
 /// Where no two floats are more correlated, single ones get along. Judgement.
 constexpr double kLeastCorrelation = 0.5;
+/// As Stan does (its reference manual, "Euclidean metric"), but for each float on its own scale.
+constexpr double kCaution = 1e-3;
 
 }  // namespace
 
@@ -39,12 +41,13 @@ bool Spread::watch(std::span<const double> at) {
   return true;
 }
 
-/// Covariances are taken for smaller than they look, the more so the fewer states were seen for so many
-/// floats.
+/// Covariances are taken for a little smaller than they look, the more so the fewer states were seen for so
+/// many floats, so that there is a factor.
 double Spread::covariance(std::size_t i, std::size_t j) const {
   const auto seen = static_cast<double>(seen_);
   const double found = (products_[place(i, j)] - sums_[i] * sums_[j] / seen) / (seen - 1);
-  return i == j ? found : found * seen / (seen + static_cast<double>(size_));
+  const auto size = static_cast<double>(size_);
+  return i == j ? found : found * (1 - kCaution * size / (seen + size));
 }
 
 /// The factor is found a row after the other; of independent floats it is their standard deviations.

@@ -200,9 +200,10 @@ TEST_CASE("command: solutions and scenes are drawn by how probable they are") {
   CHECK(twos > 40);
   CHECK(twos < 58);
   const Outcome generated =
-      run_solitaire({"generate", script, "--engine", "shred", "-n", "2", "-q", "-o", place / "out"});
+      run_solitaire({"generate", script, "--engine", "shred", "-n", "2", "-o", place / "out"});
   CAPTURE(generated.err);
   CHECK(generated.status == 0);
+  CHECK(generated.err.find("checked by 2 runs") != std::string::npos);
   CHECK(fs::exists(place / "out/row-0002.glb"));
   const Outcome pinned = run_solitaire({"solve", script, "--engine", "shred", "--pin", "n=2"});
   CHECK(pinned.status == 2);
