@@ -189,17 +189,29 @@ TEST_CASE("analyze: warnings point at what is hardly meant, and do not stop a pr
                                        "if f(1) { fun g() { } } else { fun g() { } }\n"}});
   CHECK(report(analysis) ==
         "main.sol:1:22 unreachable: this is never reached\n"
+        "main.sol:1:22 unused-value: this value is not used\n"
         "main.sol:2:5 replaced-definition: 'f' is defined here a second time\n"
         "main.sol:2:49 unreachable: this is never reached\n"
         "main.sol:3:24 unreachable: this is never reached\n");
   CHECK(!analysis.has_errors());
-  REQUIRE(analysis.diagnostics[1].related.size() == 1);
-  CHECK(analysis.program.sources.place(analysis.diagnostics[1].related[0].span) == "main.sol:1:5");
-  CHECK(format(analysis.diagnostics[1], analysis.program.sources) ==
+  REQUIRE(analysis.diagnostics[2].related.size() == 1);
+  CHECK(analysis.program.sources.place(analysis.diagnostics[2].related[0].span) == "main.sol:1:5");
+  CHECK(format(analysis.diagnostics[2], analysis.program.sources) ==
         "main.sol:2:5: warning: 'f' is defined here a second time\n"
         "  2 | fun f(x) { if x then return 1 else { return 2 } x = 3; }\n"
         "    |     ^\n"
         "  note: main.sol:1:5: the definition that it replaces is here\n");
+}
+
+TEST_CASE("analyze: a value that nothing uses is warned of, and a call is not") {
+  const Analysis analysis = analyzed({{"main.sol",
+                                       "fun f(x) { x + 1 }\n"
+                                       "y = f(2);\n"
+                                       "y == 3;\n"
+                                       "f(3);\n"}});
+  CHECK(report(analysis) ==
+        "main.sol:1:12 unused-value: this value is not used\n"
+        "main.sol:3:1 unused-value: this value is not used\n");
 }
 
 TEST_CASE("analyze: a hundred diagnostics are enough") {

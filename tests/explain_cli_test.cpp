@@ -169,6 +169,18 @@ TEST_CASE("cli: asserts that no path leads to are told") {
   CHECK(!has(told, "dead.sol:5:8:"));
 }
 
+TEST_CASE("cli: nothing is told of the library's asserts, where solutions are explained") {
+  const Workplace place;
+  const std::string script = place.file("doors.sol",
+                                        "import \"std/layout.sol\";\nimport \"std/rooms.sol\";\n"
+                                        "a = Rect(range(0, 1), 0, 2, 2);\nb = Rect(range(2, 3), 0, 2, 2);\n"
+                                        "assert(x2(a) == x1(b));\nassert(b.x > a.x);\n"
+                                        "door = door_between(a, b);\nreturn door.y;\n");
+  const std::string told = run_solitaire({"explain", script}).out;
+  CHECK(has(told, "doors.sol:6:8: note: this rules nothing out"));
+  CHECK(!has(told, "rooms.sol:"));  // "rooms with a door between them touch" holds wherever the others do
+}
+
 TEST_CASE("cli: explain of what has solutions says what rules nothing out and what never occurs") {
   const Workplace place;
   const std::string script = place.file("solvable.sol", kSolvable);

@@ -32,7 +32,8 @@ class Audit {
   DeadAsserts run() {
     std::map<Span, std::set<Span, Before>, Before> asserts;  // with their conjuncts
     for (const TracedCondition& each : solver_.all()) {
-      if (is_assert(each.condition)) asserts[each.condition.whole].insert(each.condition.span);
+      if (is_assert(each.condition) && !is_library(each.condition.whole))
+        asserts[each.condition.whole].insert(each.condition.span);
     }
     for (auto it = asserts.rbegin(); it != asserts.rend(); ++it) {
       const Span whole = it->first;
@@ -48,6 +49,13 @@ class Audit {
   }
 
  private:
+  /// Nobody mends the library's asserts, which are there for other programs, too.
+  bool is_library(Span span) const {
+    return std::ranges::any_of(program_.modules, [&](const Module& module) {
+      return module.is_library && module.source == span.source;
+    });
+  }
+
   /// Adds the asserts that no path leads to at all, as where intervals decide a branch.
   void add_unreached(const std::map<Span, std::set<Span, Before>, Before>& met) {
     if (!solver_.is_explored()) return;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/file_error.h"
+#include "solitaire/names/library_index.h"
 #include "solitaire/names/resolver.h"
 #include "solitaire/names/warnings.h"
 
@@ -38,6 +39,7 @@ Analysis analyze(const FileProvider& files, const std::filesystem::path& script,
   for (const std::uint32_t module : order) resolve(program, module, options.naming, diagnostics);
   for (const Module& module : program.modules) add_warnings(module.tree, diagnostics);
   analysis.diagnostics = diagnostics.sorted();
+  suggest_imports(analysis.diagnostics, program.sources, files, options.library_folders);
   return analysis;
 }
 

@@ -47,6 +47,7 @@ class Warnings : public TreeWalker {
       look_for_unreached(block);
       look_for_replaced(block);
     }
+    if (node.kind == StmtKind::kExpr) look_for_unused(*static_cast<const ExprStmt&>(node).value);
     TreeWalker::statement(node);
   }
 
@@ -59,6 +60,20 @@ class Warnings : public TreeWalker {
       return warn("unreachable", node.span, "this is never reached",
                   {before.span, "control does not come past this"});
     }
+  }
+
+  /// An operation only gives its value, but a division may also rule an execution out.
+  void look_for_unused(const Expr& value) {
+    if (value.kind != ExprKind::kBinary) return;
+    const BinaryOp op = static_cast<const BinaryExpr&>(value).op;
+    if (op == BinaryOp::kDivide || op == BinaryOp::kModulo) return;
+    diagnostics_.add({value.span,
+                      "this value is not used",
+                      "a function gives what it returns, and what must hold is asserted",
+                      {},
+                      Severity::kWarning,
+                      "unused-value",
+                      {}});
   }
 
   void look_for_replaced(const BlockStmt& block) {

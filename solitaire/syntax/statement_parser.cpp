@@ -314,7 +314,8 @@ void StatementParser::semicolon(bool ends_with_function) {
   if (!on_new_line()) {
     const std::string help = foreign_keyword_help();
     if (!help.empty()) distrust_name(statement_start());
-    return fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)), help);
+    return fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)),
+                help.empty() ? help_for_if() : help);
   }
   const Span end{previous().span.source, previous().span.end, previous().span.end};
   report("missing-semicolon", end, "expected ';' after this statement");
@@ -335,6 +336,9 @@ std::string StatementParser::foreign_keyword_help() const {
   if (word == "let" || word == "var" || word == "const") return "a variable is made by assigning it: x = 3;";
   if (word == "def" || word == "function" || word == "func") return "a function is written fun f(x) { ... }";
   if (is_else_if(statement_start())) return "write 'else if'";
+  const bool is_first = &previous() == &statement_start();
+  if (is_first && (word == "assert" || word == "print"))
+    return fmt::format("{0} is a function: {0}(...)", word);
   return "";
 }
 

@@ -48,6 +48,8 @@ class TokenReader {
   /// Takes a token of that kind; it is an error if there is none here. `where` continues the sentence
   /// "expected ';'".
   const Token& expect(TokenKind kind, const std::string& where, const std::string& help = "");
+  /// Returns what to write where an `if` stands behind a value, as other languages have it; else "".
+  std::string help_for_if() const;
   /// Returns the token that was taken last.
   const Token& previous() const { return list_.tokens[at_ == 0 ? 0 : at_ - 1]; }
   /// Nothing is said of a name that stands for something else, as a keyword of another language does.
@@ -92,7 +94,6 @@ class TokenReader {
   std::vector<std::string> take_skipped_names();
 
  private:
-  std::string help_for_if() const;
   bool starts_line(std::size_t token) const;
   void panic();
   void distrust_assigned();

@@ -165,6 +165,19 @@ TEST_CASE("chunks that are made alone are those that are made together") {
   CHECK(error_of(options).find("have no pins") != std::string::npos);
 }
 
+TEST_CASE("a map is not asked for more of a tile than it has sites, nor for more than at most") {
+  const RequestFolder folder;
+  folder.write("streets.txt", kStreets);
+  const auto error = [&](const std::string& count) {
+    return error_of(folder.options(
+        R"({"exemplars": ["streets.txt"], "size": [6, 5], "weights": "step", "counts": [)" + count + "]}"));
+  };
+  CHECK(error(R"({"tiles": ["."], "least": 31})") ==
+        "at least 31 of '.' are asked for, and there can be at most 30");
+  CHECK(error(R"({"tiles": ["."], "least": 4, "most": 3})") ==
+        "at least 4 of '.' are asked for, and there can be at most 3");
+}
+
 TEST_CASE("keys are read, and their doors are passable of themselves") {
   const RequestFolder folder;
   folder.write("rooms.txt", ".#Aa\n#Aa.\nAa.#\na.#A\n..aA\n.aA.\n");

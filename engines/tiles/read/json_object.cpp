@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/nearest_name.h"
 
@@ -109,8 +110,10 @@ void JsonObject::require_no_more() const {
   for (const auto& [name, value] : json_->items()) {
     if (asked_.contains(name)) continue;
     const std::string meant = nearest_name(name, known);
-    throw FileError(*file_, fmt::format("there is no member '{}'{}", way(name.c_str()),
-                                        meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)));
+    throw FileError(*file_,
+                    fmt::format("there is no member '{}'; {}", way(name.c_str()),
+                                meant.empty() ? fmt::format("here may stand {}", fmt::join(known, ", "))
+                                              : fmt::format("did you mean '{}'?", meant)));
   }
 }
 

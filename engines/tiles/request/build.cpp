@@ -270,10 +270,15 @@ std::shared_ptr<const GlobalRule> distance_rule(const DistanceEntry& entry, cons
       fmt::format("{} are at least {} steps from each other", quoted(entry.tiles), entry.least));
 }
 
-std::shared_ptr<const GlobalRule> count_rule(const CountEntry& entry, const Tileset& tileset) {
+std::shared_ptr<const GlobalRule> count_rule(const CountEntry& entry, const Problem& problem) {
+  const std::uint64_t possible = std::min<std::uint64_t>(entry.most, problem.size().volume());
+  if (entry.least > possible) {
+    throw RequestError(fmt::format("at least {} of {} are asked for, and there can be at most {}",
+                                   entry.least, quoted(entry.tiles), possible));
+  }
   const std::string most = entry.most == UINT64_MAX ? "any number" : std::to_string(entry.most);
   return std::make_shared<TileCount>(
-      tile_set(tileset, entry.tiles), entry.least, entry.most,
+      tile_set(problem.style().tileset, entry.tiles), entry.least, entry.most,
       fmt::format("there are {} to {} of {}", entry.least, most, quoted(entry.tiles)));
 }
 
@@ -340,7 +345,7 @@ Problem make_problem(const Request& request, std::shared_ptr<const Style> style)
   for (const DistanceEntry& entry : request.distances) problem.add(distance_rule(entry, problem));
   for (const PathEntry& entry : request.paths) problem.add(path_rule(entry, problem));
   for (const KeysEntry& entry : request.keys) problem.add(keys_rule(entry, problem));
-  for (const CountEntry& entry : request.counts) problem.add(count_rule(entry, problem.style().tileset));
+  for (const CountEntry& entry : request.counts) problem.add(count_rule(entry, problem));
   return problem;
 }
 
