@@ -60,8 +60,10 @@ void Statements::reads_below() {
   const std::string above = draft_.fresh("f");
   const std::string name = draft_.fresh("v");
   draft_.line(format("fun {}(p) {{ return p {} {}; }}", below, draft_.one_in(2) ? "-" : "+", read));
-  draft_.line(format("fun {}(p) {{ {}return {}(p) * 2; }}", above,
-                     draft_.one_in(2) ? "if p < 1 { return 1; } " : "", below));
+  const std::string condition =
+      draft_.one_in(3) ? "p < 1" : draft_.variable_or(Kind::kBool, [&] { return read + " < 1"; });
+  draft_.line(
+      format("fun {}(p) {{ if {} {{ return {}(p); }} return {}(p) * 2; }}", above, condition, below, below));
   const std::string argument = draft_.one_in(2) ? "1" : expressions_.integer(2);
   draft_.open(format("if {}", expressions_.boolean(1)));
   for (const bool first : {true, false}) {
