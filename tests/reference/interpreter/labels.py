@@ -93,7 +93,7 @@ class Labeller:
     def is_of_library(self, name):
         """Whether a name means a function that a file of the library brings."""
         module = self.module_of(name)
-        return module is not None and module is not self.module and module.library
+        return module is not None and module.library
 
     def module_of(self, name):
         """The file at whose top level the name is assigned, or None."""
