@@ -34,8 +34,9 @@ OrderSize quotient_size(Interval interval, const Sized& a, const Sized& b) {
 OrderSize either_size(Interval interval, const Sized& a, const Sized& b) {
   if (!a.size.is_ordered() || !b.size.is_ordered()) return {};
   const auto offset = static_cast<std::uint64_t>(std::abs(a.interval.lo - b.interval.lo));
-  return size_within(interval, a.size.most + b.size.most,
-                     std::gcd(std::gcd(a.size.stride, b.size.stride), offset));
+  const OrderSize size = size_within(interval, a.size.most + b.size.most,
+                                     std::gcd(std::gcd(a.size.stride, b.size.stride), offset));
+  return size.most <= tuning::kMostOrderedOfTwo ? size : OrderSize{};
 }
 
 }  // namespace solitaire
