@@ -22,6 +22,7 @@ class LinearSums {
   void add(const LinearImplication& implication, OrderChains& chains);
   void build(std::size_t variables, std::size_t chains);
   bool has_new() const { return built_ < sums_.size(); }
+  bool empty() const { return sums_.empty(); }
   template <class Visit>
   void for_each_guard(Visit visit) const {
     for (const Sum& sum : sums_) visit(sum.guard);

@@ -12,8 +12,8 @@ void OrderBounds::build(std::size_t variables) {
 void OrderBounds::undo_to(std::size_t changes) {
   while (chains_.changes() > changes) {
     const auto [chain, before] = chains_.undo_last();
-    differences_.undo(chain, before, chains_[chain]);
-    sums_.note(chain, before, chains_[chain]);
+    if (!differences_.empty()) differences_.undo(chain, before, chains_[chain]);
+    if (!sums_.empty()) sums_.note(chain, before, chains_[chain]);
   }
 }
 

@@ -69,23 +69,26 @@ void OrderBounds::for_each_literal(Visit visit) const {
 
 template <class Host>
 bool OrderBounds::visit(int assigned, Host& host) {
+  // Most formulas have conditions of one kind only, and what is empty is not looked at.
   const auto follows = [&](std::uint32_t chain) {
-    return differences_.visit_chain(chain, chains_, host) && sums_.visit_chain(chain, chains_, host);
+    return (differences_.empty() || differences_.visit_chain(chain, chains_, host)) &&
+           (sums_.empty() || sums_.visit_chain(chain, chains_, host));
   };
   for (const OrderChains::Place place : chains_.places(assigned)) {
     const OrderChains::Chain before = chains_[place.chain];
     if (!chains_.raise(place)) continue;
-    sums_.note(place.chain, before, chains_[place.chain]);
+    if (!sums_.empty()) sums_.note(place.chain, before, chains_[place.chain]);
     if (!implications_.visit_raised(place.chain, chains_, host) || !follows(place.chain)) return false;
   }
   for (const OrderChains::Place place : chains_.places(-assigned)) {
     const OrderChains::Chain before = chains_[place.chain];
     if (!chains_.lower(place)) continue;
-    sums_.note(place.chain, before, chains_[place.chain]);
+    if (!sums_.empty()) sums_.note(place.chain, before, chains_[place.chain]);
     if (!implications_.visit_lowered(place.chain, chains_, host) || !follows(place.chain)) return false;
   }
   return implications_.visit_guard(assigned, chains_, host) &&
-         differences_.visit_guard(assigned, chains_, host) && sums_.visit_guard(assigned, chains_, host);
+         (differences_.empty() || differences_.visit_guard(assigned, chains_, host)) &&
+         (sums_.empty() || sums_.visit_guard(assigned, chains_, host));
 }
 
 }  // namespace solitaire

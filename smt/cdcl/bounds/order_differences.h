@@ -24,6 +24,7 @@ class OrderDifferences {
   void add(const OrderDifference& difference, OrderChains& chains);
   void build(std::size_t variables, const OrderChains& chains);
   bool has_new() const { return built_ < steps_.size(); }
+  bool empty() const { return steps_.empty(); }
   template <class Visit>
   void for_each_guard(Visit visit) const {
     for (const Step& step : steps_) visit(step.guard);
