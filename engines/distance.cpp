@@ -98,7 +98,7 @@ void NearestPair::add(const Features& features) {
   for (const Hashed& each : all_) {
     const Overlap overlap = overlap_of(each, added);
     nearest_ = std::min(nearest_.value_or(1), overlap.distance());
-    compared_ += overlap.all;
+    compared_ += 1 + overlap.all;  // pairs without names take time as well
   }
   all_.push_back(std::move(added));
   gave_up_ = compared_ > tuning::kNamesCompared;
