@@ -12,8 +12,8 @@ namespace solitaire::tuning {
 /// workspaces of four groups came ten times faster than with bits alone. Larger ints have fewer bits than
 /// values, and shorter clauses.
 inline constexpr std::uint64_t kMostOrdered = 1024;
-/// The same where an int is one of two, or the smaller or the larger one: each value takes a gate, and a list of
-/// which one element is chosen has as many such ints as elements.
+/// The same where an int is one of two, or the smaller or the larger one: each value takes a gate, and a list
+/// of which one element is chosen has as many such ints as elements.
 inline constexpr std::uint64_t kMostOrderedOfTwo = 256;
 /// The largest number of pairs of values for which a sum of two ordered ints is ordered, too. Each pair takes
 /// a gate.
