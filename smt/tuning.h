@@ -38,13 +38,14 @@ inline constexpr std::size_t kUsualLiterals = std::size_t{1} << 18;
 
 // ---- The search near suggestions (cdcl/)
 
-/// The search gives up after at most so many conflicts, and not before one for so many variables, since
-/// telling CaDiCaL a large formula takes seconds. A first workspace of three groups takes some 150, one of
-/// six groups 250. Limits of 100 to 3,000 made no difference for twelve queens far apart. Workspaces of 24
-/// groups took 3 to 9 s, most of it in CaDiCaL, with a limit of 1000, and 0.8 s with 3,000, 10,000 and 30,000
-/// alike.
+/// The search gives up after at most so many conflicts, or one for so many clauses that conditions on ints
+/// stand for, since telling CaDiCaL millions of clauses takes seconds. A first workspace of three groups
+/// takes some 150, one of six groups 250. Limits of 100 to 3,000 made no difference for twelve queens far
+/// apart. Workspaces of 24 groups took 3 to 9 s, most of it in CaDiCaL, with a limit of 1000, and 0.8 s with
+/// 3,000, 10,000 and 30,000 alike; tile maps of 48 by 48, of which there are no such conditions, took four
+/// times as long with 4,000.
 inline constexpr std::uint64_t kMostConflicts = 1000;
-inline constexpr std::size_t kVariablesPerConflict = 10;
+inline constexpr std::uint64_t kClausesPerConflict = 1000;
 /// A search that gave up makes the next one give up four times as soon, though not before so many conflicts.
 inline constexpr std::uint64_t kFewestConflicts = 8;
 /// After a search, the older half of the learned clauses is forgotten if there are more than so many. To

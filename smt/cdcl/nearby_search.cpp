@@ -92,7 +92,7 @@ bool NearbySearch::search(const StopSignal& signal) {
 }
 
 std::uint64_t NearbySearch::most_conflicts() const {
-  return std::max(tuning::kMostConflicts, propagator_.variables() / tuning::kVariablesPerConflict);
+  return std::max(tuning::kMostConflicts, propagator_.spared_clauses() / tuning::kClausesPerConflict);
 }
 
 bool NearbySearch::search_within(std::uint64_t conflicts, std::size_t assumed, const StopSignal& signal) {

@@ -61,11 +61,13 @@ void Propagator::clause(std::span<const int> literals) {
 
 void Propagator::order_implication(const OrderImplication& order_implication) {
   if (has_tables_) return ClauseSink::order_implication(order_implication);
+  spared_clauses_ += order_implication.count;
   bounds_.add(order_implication);
 }
 
 void Propagator::order_difference(const OrderDifference& difference) {
   if (has_tables_) return ClauseSink::order_difference(difference);
+  spared_clauses_ += difference.count;
   bounds_.add(difference);
 }
 

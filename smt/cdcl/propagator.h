@@ -33,6 +33,8 @@ class Propagator : public ClauseSink {
   void order_difference(const OrderDifference& difference) override;
   bool takes_linear_implications() const override { return !has_tables_; }
   void linear_implication(const LinearImplication& implication) override { bounds_.add(implication); }
+  /// Returns for how many clauses the conditions stand that are none here, sums left out.
+  std::uint64_t spared_clauses() const { return spared_clauses_; }
 
   /// Returns one more than the largest variable.
   std::size_t variables() const { return assigned_.size(); }
@@ -148,7 +150,8 @@ class Propagator : public ClauseSink {
   std::vector<Assigned> assigned_;  // by variable
   LiteralTable<int> pairs_;         // the other literal of each clause of two
   LiteralTable<Two> triples_;       // the other literals of each clause of three
-  OrderBounds bounds_;              // what follows from conditions on ints in order encoding
+  std::uint64_t spared_clauses_ = 0;
+  OrderBounds bounds_;  // what follows from conditions on ints in order encoding
   bool has_tables_ = false;
   SparseTable<std::vector<Watch>> watches_;  // by literal; few have any, as most clauses stand in tables
   std::vector<int> literals_;                // of clauses with watches, each behind its length
