@@ -56,8 +56,6 @@ ExitStatus sample_command(const Options& options, Watchdog& watchdog) {
       kept);
   const auto lock = watchdog.delivering();
   progress.end();
-  if (options.draws_file) sampler.write_draws(*options.draws_file);
-  if (options.report_file) sampler.write_report(*options.report_file, summary);
   const std::string text = options.json ? to_json(summary) + "\n" : to_text(summary);
   if (!printer) {
     print_result(text);
@@ -70,6 +68,9 @@ ExitStatus sample_command(const Options& options, Watchdog& watchdog) {
         fmt::join(printer->left_out(), ", ")));
   }
   if (!options.quiet) tell(account(summary));
+  // Last, for a file that cannot be written must not take the summary with it.
+  if (options.draws_file) sampler.write_draws(*options.draws_file);
+  if (options.report_file) sampler.write_report(*options.report_file, summary);
   if (!asked.stop.stopped()) return watchdog.conclude(kDelivered);
   if (!options.quiet) tell(limit_text(options) + "\n");
   return watchdog.conclude(kLimit);

@@ -24,6 +24,7 @@ namespace {
 }
 
 std::string text_of_data(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) refuse_data(path, "is a folder, not a file of data");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse_data(path, "cannot be read");
   std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -58,7 +59,10 @@ std::string text_constant(const std::string& text) {
   return constant + "\"";
 }
 
-std::string json_constant(const Json& json, const std::filesystem::path& path) {
+/// Lists within each other; the language reads a few more.
+constexpr int kDeepestLists = 200;
+
+std::string json_constant(const Json& json, const std::filesystem::path& path, int depth = 0) {
   if (json.is_null()) return "nil";
   if (json.is_number_float()) return float_text(json.get<double>());
   if (json.is_string()) return text_constant(json.get<std::string>());
@@ -67,16 +71,21 @@ std::string json_constant(const Json& json, const std::filesystem::path& path) {
     refuse_data(
         path,
         "has an object, {...}; data are numbers, texts and lists of such, so write a list of its values");
+  if (depth == kDeepestLists)
+    refuse_data(path, fmt::format("has more than {} lists within each other", kDeepestLists));
   std::vector<std::string> items;
-  for (const Json& item : json) items.push_back(json_constant(item, path));
+  for (const Json& item : json) items.push_back(json_constant(item, path, depth + 1));
   return list_constant(items);
 }
 
 std::string constant_of_json(const std::filesystem::path& path) {
+  const std::string text = text_of_data(path);
   try {
-    return json_constant(Json::parse(text_of_data(path)), path);
+    return json_constant(Json::parse(text), path);
   } catch (const Json::exception& error) {
-    refuse_data(path, fmt::format("is no JSON: {}", error.what()));
+    const std::string_view what =
+        error.what();  // "[json.exception.parse_error.101] parse error at line 1 ..."
+    refuse_data(path, fmt::format("is no JSON: {}", what.substr(what.find("] ") + 2)));
   }
 }
 
@@ -85,11 +94,12 @@ std::string constant_of_json(const std::filesystem::path& path) {
 using Cells = std::vector<std::string>;
 
 /// Splits a table into rows of cells. Cells in double quotes may have commas, line ends and doubled quotes.
-std::vector<Cells> cells_of(const std::string& text) {
+std::vector<Cells> cells_of(const std::string& text, const std::filesystem::path& path) {
   std::vector<Cells> rows;
   Cells row;
   std::string cell;
   bool quoted = false;
+  std::size_t opened = 0;  // the row where the quote that is open stands
   const auto end_cell = [&] { row.push_back(std::exchange(cell, {})); };
   const auto end_row = [&] {
     end_cell();
@@ -102,6 +112,7 @@ std::vector<Cells> cells_of(const std::string& text) {
       cell += text[++i];
     } else if (c == '"') {
       quoted = !quoted;
+      opened = rows.size() + 1;
     } else if (c == ',' && !quoted) {
       end_cell();
     } else if (c == '\n' && !quoted) {
@@ -110,6 +121,7 @@ std::vector<Cells> cells_of(const std::string& text) {
       cell += c;
     }
   }
+  if (quoted) refuse_data(path, fmt::format("a double quote in row {} is never closed", opened));
   if (!cell.empty() || !row.empty()) end_row();
   return rows;
 }
@@ -140,7 +152,7 @@ std::string cell_constant(const std::string& cell) {
 }
 
 std::string constant_of_table(const std::filesystem::path& path) {
-  std::vector<Cells> rows = cells_of(text_of_data(path));
+  std::vector<Cells> rows = cells_of(text_of_data(path), path);
   if (!rows.empty() && std::none_of(rows[0].begin(), rows[0].end(), is_number_cell)) rows.erase(rows.begin());
   std::vector<std::string> items;
   for (const Cells& row : rows) {

@@ -45,7 +45,11 @@ std::string to_text(const SampleSummary& summary) {
       {"", "mean", "sd", "mcse", "5 %", "median", "95 %", "ess bulk", "ess tail", "R-hat"}};
   for (const SampledNumber& each : summary.parameters) rows.push_back(row_of(each));
   std::string text = table(rows);
-  if (summary.parameters.empty()) text = "the program returns no numbers\n";
+  if (summary.draws == 0) {
+    text = "no draws are there yet\n";
+  } else if (summary.parameters.empty()) {
+    text = "the program returns no numbers: return numbers or bools, such as x or x == \"oak\"\n";
+  }
   for (const std::string& warning : summary.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }

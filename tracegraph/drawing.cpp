@@ -78,6 +78,7 @@ double draw_beta(double a, double b, RandomStream& stream) {
 }
 
 std::int64_t draw_poisson(double mean, RandomStream& stream) {
+  if (mean >= kLargestCount) return static_cast<std::int64_t>(kLargestCount);
   return mean < 10 ? small_poisson(mean, stream) : large_poisson(mean, stream);
 }
 

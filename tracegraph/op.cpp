@@ -46,9 +46,17 @@ Folded finite(double value) {
   return Scalar::of(value);
 }
 
-Folded divide_float(double a, double b) {
-  if (b == 0) return std::nullopt;
-  return finite(a / b);
+/// Gives nothing where finite operands lead past the largest float, or infinite ones to no number. An operand
+/// is infinite after an exp or pow of something large; so a logistic curve 1 / (1 + exp(-x)) ends in 0.
+Folded from_operands(double result, const Scalar* a) {
+  const bool grows = std::isinf(result) && std::isfinite(a[0].f) && std::isfinite(a[1].f);
+  if (grows || std::isnan(result)) return std::nullopt;
+  return Scalar::of(result);
+}
+
+Folded divide_float(const Scalar* a) {
+  if (a[1].f == 0) return std::nullopt;
+  return from_operands(a[0].f / a[1].f, a);
 }
 
 /// Gives nothing where a function is undefined although none of its operands is.
@@ -121,10 +129,10 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kToFloat, "float", "", 1, kI, kF, [](S a) -> Folded { return Scalar::of(static_cast<double>(a[0].i)); }, nullptr},
     {Op::kFloor, "floor", "", 1, kF, kI, [](S a) { return floor_exactly(a[0].f); },
      [](I) { return Interval{-static_cast<std::int64_t>(kFloorLimit), static_cast<std::int64_t>(kFloorLimit)}; }},
-    {Op::kAddFloat, "fadd", "+", 2, kF, kF, [](S a) { return finite(a[0].f + a[1].f); }, nullptr, kCommutative, [](S, double, P d) { d[0] = 1; d[1] = 1; }},
-    {Op::kSubFloat, "fsub", "-", 2, kF, kF, [](S a) { return finite(a[0].f - a[1].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = 1; d[1] = -1; }},
-    {Op::kMulFloat, "fmul", "*", 2, kF, kF, [](S a) { return finite(a[0].f * a[1].f); }, nullptr, kCommutative, [](S a, double, P d) { d[0] = a[1].f; d[1] = a[0].f; }},
-    {Op::kDivFloat, "fdiv", "/", 2, kF, kF, [](S a) { return divide_float(a[0].f, a[1].f); }, nullptr, kOrdered, [](S a, double r, P d) { d[0] = 1 / a[1].f; d[1] = -r / a[1].f; }},
+    {Op::kAddFloat, "fadd", "+", 2, kF, kF, [](S a) { return from_operands(a[0].f + a[1].f, a); }, nullptr, kCommutative, [](S, double, P d) { d[0] = 1; d[1] = 1; }},
+    {Op::kSubFloat, "fsub", "-", 2, kF, kF, [](S a) { return from_operands(a[0].f - a[1].f, a); }, nullptr, kOrdered, [](S, double, P d) { d[0] = 1; d[1] = -1; }},
+    {Op::kMulFloat, "fmul", "*", 2, kF, kF, [](S a) { return from_operands(a[0].f * a[1].f, a); }, nullptr, kCommutative, [](S a, double, P d) { d[0] = a[1].f; d[1] = a[0].f; }},
+    {Op::kDivFloat, "fdiv", "/", 2, kF, kF, divide_float, nullptr, kOrdered, [](S a, double r, P d) { d[0] = 1 / a[1].f; d[1] = -r / a[1].f; }},
     {Op::kNegFloat, "fneg", "-", 1, kF, kF, [](S a) -> Folded { return Scalar::of(-a[0].f); }, nullptr, kOrdered, [](S, double, P d) { d[0] = -1; }},
     {Op::kMinFloat, "fmin", "", 2, kF, kF, [](S a) -> Folded { return a[1].f < a[0].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[1].f < a[0].f), d); }},
     {Op::kMaxFloat, "fmax", "", 2, kF, kF, [](S a) -> Folded { return a[0].f < a[1].f ? a[1] : a[0]; }, nullptr, kOrdered, [](S a, double, P d) { taken(!(a[0].f < a[1].f), d); }},

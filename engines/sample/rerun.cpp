@@ -57,31 +57,31 @@ Rerun::Rerun(const Program& program, const ParamValues& params, const Limits& li
     : executor_(program, params, addresses_, limits), stream_(stream) {}
 
 SampledState Rerun::start() {
-  std::optional<Rejection> rejection;
+  std::optional<Span> ruled_out;
   SampledState best;
   best.log_weight = kImpossible;
   std::size_t possible = 0;
   for (std::uint64_t i = 0; i < tuning::kMostStarts && possible < tuning::kStartsCompared; ++i) {
     SampledState state;
-    if (!draw(state, rejection)) continue;
+    if (!draw(state, ruled_out)) continue;
     ++possible;
     if (state.log_weight > best.log_weight) best = std::move(state);
   }
-  if (possible == 0) throw no_start(rejection);
+  if (possible == 0) throw no_start(ruled_out);
   return best;
 }
 
 /// What is drawn has the densities of the choices, so that the weights alone are left of the ratio.
 double Rerun::restart(SampledState& proposed) {
-  std::optional<Rejection> rejection;
-  return draw(proposed, rejection) ? proposed.log_weight - state_->log_weight : kImpossible;
+  std::optional<Span> ruled_out;
+  return draw(proposed, ruled_out) ? proposed.log_weight - state_->log_weight : kImpossible;
 }
 
-bool Rerun::draw(SampledState& state, std::optional<Rejection>& rejection) {
+bool Rerun::draw(SampledState& state, std::optional<Span>& ruled_out) {
   positions_.clear();  // so that every choice is met for the first time
   Answers answers(*this);
   Execution& execution = executor_.run(answers);
-  rejection = execution.rejection;
+  ruled_out = execution.rejection ? execution.rejection->whole : execution.weightless;
   take(execution, state);
   return state.log_density() > kImpossible;
 }

@@ -46,7 +46,7 @@ class Rerun {
   class Answers;
   static constexpr std::uint32_t kNowhere = UINT32_MAX;
 
-  bool draw(SampledState& state, std::optional<Rejection>& rejection);
+  bool draw(SampledState& state, std::optional<Span>& ruled_out);
   static void take(Execution& execution, SampledState& state);
   double forgotten() const;
   std::uint32_t position(AddressId address) const {

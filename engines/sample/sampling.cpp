@@ -25,30 +25,42 @@ std::unique_ptr<Chain> make_chain(const ChainProgram& own, const SamplingOptions
 /// One chain from its start to its last draw.
 void run_chain(const ChainProgram& own, const SamplingOptions& options, std::size_t number,
                const DrawListener& listener, const std::function<bool()>& in_vain, ChainResult& result) {
+  const auto look_for_stop = [&] {
+    if (options.limits.stop != nullptr && options.limits.stop->stopped()) throw Interrupted{};
+    if (in_vain()) throw Interrupted{};
+  };
+  look_for_stop();
   const ReturnedNumbers returned(*own.program);
   const std::unique_ptr<Chain> chain = make_chain(own, options, number);
   const auto draw = [&] {
     for (std::uint64_t i = 0; i < options.thin; ++i) {
-      if (options.limits.stop != nullptr && options.limits.stop->stopped()) throw Interrupted{};
-      if (in_vain()) throw Interrupted{};
+      look_for_stop();
       chain->sweep();
     }
     listener.drawn();
   };
   for (std::uint64_t i = 0; i < options.warmup; ++i) draw();
   chain->end_warmup();
+  const auto account = [&] {
+    result.moves = chain->moves();
+    result.slowed_by = chain->slowed_by();
+  };
   std::vector<std::string> names;
   std::vector<double> numbers;
-  for (std::uint64_t i = 0; i < options.draws; ++i) {
-    draw();
-    names.clear();
-    numbers.clear();
-    chain->read(returned, names, numbers);
-    result.draws.add(names, numbers);
-    if (listener.kept) listener.kept(number, names, numbers);
-    if (i + 1 == options.draws || (i & (i + 1)) == 0) result.moves = chain->moves();
-    result.slowed_by = chain->slowed_by();
+  try {
+    for (std::uint64_t i = 0; i < options.draws; ++i) {
+      draw();
+      names.clear();
+      numbers.clear();
+      chain->read(returned, names, numbers);
+      result.draws.add(names, numbers);
+      if (listener.kept) listener.kept(number, names, numbers);
+    }
+  } catch (const Interrupted&) {
+    account();
+    throw;
   }
+  account();
 }
 
 class ChainRuns {
@@ -73,7 +85,7 @@ class ChainRuns {
         errors_[i] = std::current_exception();
         fail(i);
       }
-      if (listener_.ended) listener_.ended(i);
+      end(i);
     }
   }
 
@@ -84,6 +96,17 @@ class ChainRuns {
   }
 
  private:
+  /// What the listener throws ends the run as what a chain throws does.
+  void end(std::size_t chain) {
+    if (!listener_.ended) return;
+    try {
+      listener_.ended(chain);
+    } catch (...) {
+      if (!errors_[chain]) errors_[chain] = std::current_exception();
+      fail(chain);
+    }
+  }
+
   /// The error of the chain with the least number is what is thrown: those with larger ones run in vain.
   void fail(std::size_t chain) {
     for (std::size_t least = failed_; chain < least;)

@@ -52,6 +52,14 @@ Distribution distribution_of(Family family, std::span<const double> numbers) {
   }
 }
 
+/// The mean of counts that are drawn. Larger ones could lie past the largest count that there is.
+constexpr double kMostMeanCount = 1 << 26;
+
+bool draws_too_large_counts(Family family, double parameter) {
+  if (family == Family::kPoisson) return parameter > kMostMeanCount;
+  return family == Family::kGeometric && parameter * kMostMeanCount < 1;
+}
+
 /// Where a parameter stands: an argument of the call that draws, or else the whole call.
 Span parameter_span(const CallExpr& site, const DistributionRow& row, std::size_t number) {
   for (std::size_t i = 0; i < site.arguments.size(); ++i) {
@@ -111,6 +119,12 @@ Prior prior_of(Evaluator& evaluator, const DistributionRow& row, std::span<const
       evaluator.program_error(span, fmt::format("the {} of '{}' is {}, not {}", name, row.draw,
                                                 rule_words(rule), float_text(numbers[i])));
     }
+  }
+  if (drawing && draws_too_large_counts(row.family, numbers[0])) {
+    evaluator.program_error(
+        parameter_span(site, row, 0),
+        fmt::format("the counts of '{}' would be too large: with a {} of {}, their mean is above 2^26",
+                    row.draw, row.parameters[0].name, float_text(numbers[0])));
   }
   if (row.family == Family::kUniform && numbers[0] >= numbers[1])
     evaluator.program_error(site.span, "'uniform' needs a first number that is below the second");

@@ -124,7 +124,10 @@ void Evaluator::factor(const CallExpr& site, const Value& log_weight, const char
                 fmt::format("'{}' says how probable executions are, at which no solver looks", name),
                 "'solitaire sample' draws executions by it; what must hold for a solver is an assert");
   }
-  effects_->factor(site.span, to_float(log_weight, site.span));
+  const Value weight = to_float(log_weight, site.span);
+  if (const double* known = weight.get<double>(); known != nullptr && *known == HUGE_VAL)
+    program_error(site.span, fmt::format("'{}' makes an execution infinitely probable", name));
+  effects_->factor(site.span, weight);
 }
 
 void Evaluator::require_between(const Value& variable, const Value& lo, const Value& hi, Span span,

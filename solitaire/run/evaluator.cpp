@@ -33,6 +33,7 @@ class Executor::Run {
     execution_.wishes.clear();
     execution_.cost = 0;
     execution_.log_weight = 0;
+    execution_.weightless.reset();
     execution_.choices.clear();
     execution_.placements.clear();
     execution_.unit = 1;

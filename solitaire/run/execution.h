@@ -62,6 +62,7 @@ struct Execution {
   std::vector<WishCost> wishes;        // in the order in which they were met
   std::int64_t cost = 0;               // the sum of theirs
   double log_weight = 0;               // the sum of all factors, natural logarithms
+  std::optional<Span> weightless;      // the first factor of weight 0
   Value value;                         // what the program returned
   Value before_output;                 // what it had returned before its output; Unset if it has none
   std::vector<MetChoice> choices;      // in the order in which they were met

@@ -139,10 +139,12 @@ Value Operators::fold(Op op, std::span<const Value> operands, Span span) {
   for (std::size_t i = 0; i < operands.size(); ++i) scalars[i] = scalar_of(operands[i]);
   const auto result = row.fold(scalars);
   if (!result && row.operand == Type::kFloat) {
-    if (operands.size() == 2 && op != Op::kPow)
+    const bool two = operands.size() == 2;
+    if (two && op != Op::kPow && std::isfinite(scalars[0].f) && std::isfinite(scalars[1].f))
       program_error(span, "this float grows past the largest one, about 1.8e308");
-    const std::string second = operands.size() == 2 ? " and " + to_text(operands[1]) : "";
-    program_error(span, fmt::format("'{}' of {}{} has no value", row.name, to_text(operands[0]), second));
+    const std::string second = two ? " and " + to_text(operands[1]) : "";
+    const auto name = row.symbol.empty() ? row.name : row.symbol;
+    program_error(span, fmt::format("'{}' of {}{} has no value", name, to_text(operands[0]), second));
   }
   if (!result) too_large(span);
   return value_of_scalar(row.result, *result);

@@ -1,5 +1,7 @@
 #include "solitaire/run/recording.h"
 
+#include <cmath>
+
 #include "solitaire/value/merge.h"
 
 namespace solitaire {
@@ -50,8 +52,10 @@ bool ExecutionEffects::wish(AddressId address, Span span, const Value& cost) {
   return is_exact(execution_.cost);
 }
 
-void ExecutionEffects::factor(Span, const Value& log_weight) {
-  execution_.log_weight += *log_weight.get<double>();
+void ExecutionEffects::factor(Span span, const Value& log_weight) {
+  const double weight = *log_weight.get<double>();
+  if (weight == -HUGE_VAL && !execution_.weightless) execution_.weightless = span;
+  execution_.log_weight += weight;
 }
 
 void ExecutionEffects::placement(Placement placement, const BuiltinCall&) {

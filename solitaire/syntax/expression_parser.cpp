@@ -171,7 +171,9 @@ ExprPtr ExpressionParser::call(Span start, ExprPtr callee) {
     grow(*node, node->arguments.back().value->height);
     if (!accept(TokenKind::kComma)) break;
   }
-  expect(TokenKind::kRightParen, "to close the arguments");
+  expect(TokenKind::kRightParen, "to close the arguments",
+         at(TokenKind::kAssign) ? "a comparison for equality is ==; an argument is named by a colon: f(x: 3)"
+                                : "");
   return finish(std::move(node));
 }
 

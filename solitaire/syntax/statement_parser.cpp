@@ -312,10 +312,11 @@ void StatementParser::semicolon(bool ends_with_function) {
   if (panicking() || accept(TokenKind::kSemicolon)) return;
   if (at(TokenKind::kRightBrace) || at(TokenKind::kElse) || at(TokenKind::kEnd) || ends_with_function) return;
   if (!on_new_line()) {
-    const std::string help = foreign_keyword_help();
+    std::string help = foreign_keyword_help();
     if (!help.empty()) distrust_name(statement_start());
-    return fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)),
-                help.empty() ? help_for_if() : help);
+    if (help.empty()) help = help_for_if();
+    if (help.empty() && at(TokenKind::kAssign)) help = "a comparison for equality is ==";
+    return fail(fmt::format("expected ';' or an operator, found {}", describe(peek().kind)), help);
   }
   const Span end{previous().span.source, previous().span.end, previous().span.end};
   report("missing-semicolon", end, "expected ';' after this statement");

@@ -181,6 +181,107 @@ TEST_CASE("command: data that cannot be read are named") {
   const Outcome of_words = run_solitaire({"solve", script, "--data", "xs=" + words});
   CHECK(of_words.out.find("solution 1: 3") == 0);
   CHECK(complaint("data.txt", "1").find("data end in .json or .csv") != std::string::npos);
+  CHECK(complaint("open.csv", "1\n\"2\n3\n").find("open.csv: a double quote in row 2 is never closed") !=
+        std::string::npos);
+  CHECK(complaint("latin.csv", "1\n\xe9\n").find("latin.csv: is not UTF-8: line 2") != std::string::npos);
+  CHECK(complaint("huge.json", "[1e999]").find("huge.json: is no JSON: number overflow") !=
+        std::string::npos);
+  const std::string deep = complaint("deep.json", std::string(300, '[') + std::string(300, ']'));
+  CHECK(deep.find("deep.json: has more than 200 lists within each other") != std::string::npos);
+  fs::create_directory(place / "folder.csv");
+  const Outcome of_folder =
+      run_solitaire({"sample", script, "--data", "xs=" + (place / "folder.csv").string()});
+  CHECK(of_folder.status == 3);
+  CHECK(of_folder.err.find("folder.csv: is a folder") != std::string::npos);
+}
+
+TEST_CASE("command: what is no number in a table is a text, also after a byte order mark") {
+  const Workplace place;
+  const Outcome outcome =
+      run_solitaire({"solve", place.file("any.sol", "param xs = [];\nreturn xs;\n"), "--json", "-q", "--data",
+                     "xs=" + place.file("odd.csv",
+                                        "\xef\xbb\xbf"
+                                        "1,nan\ninf,-2.5\n")});
+  REQUIRE(outcome.status == 0);
+  CHECK(nlohmann::json::parse(outcome.out)["value"] ==
+        nlohmann::json::parse(R"([[1, "nan"], ["inf", -2.5]])"));
+}
+
+TEST_CASE("command: a table that cannot be written leaves the summary") {
+  const Workplace place;
+  const Outcome outcome = run_solitaire({"sample", place.file("coin.sol", kCoin), "-n", "40", "--warmup",
+                                         "20", "--json", "--draws", place / "nowhere/draws.csv"});
+  CHECK(outcome.status == 3);
+  CHECK(nlohmann::json::parse(outcome.out)["draws"] == 40);
+  CHECK(outcome.err.find("nowhere/draws.csv") != std::string::npos);
+}
+
+TEST_CASE("command: streaming to nobody ends with a message, whichever chain draws") {
+  const Workplace place;
+  const std::string script = place.file("coin.sol", kCoin);
+  for (const char* jobs : {"1", "3"}) {
+    std::vector<std::string> line =
+        solitaire_with({"sample", script, "-n", "4000", "--warmup", "20", "--stream", "csv", "--jobs", jobs});
+    line.insert(line.begin(), {"sh", "-c", "exec \"$0\" \"$@\" > /dev/full"});
+    const Outcome outcome = run(line);
+    CHECK(outcome.status == 3);
+    CHECK(outcome.err.find("standard output: No space left on device") != std::string::npos);
+  }
+}
+
+TEST_CASE("command: a limit ends also chains that nobody has begun") {
+  const Workplace place;
+  const std::string script = place.file(
+      "many.sol",
+      "xs = [normal(0, 1) for i in 1..60];\nfor x in xs: observe(Normal(x, 1), 1);\nreturn sum(xs);\n");
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome =
+      run_solitaire({"sample", script, "--chains", "100000", "--warmup", "1", "--timeout", "1", "--json"});
+  CHECK(outcome.status == 4);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+}
+
+TEST_CASE("command: what is observed and cannot be is named") {
+  const Workplace place;
+  const Outcome outcome = run_solitaire(
+      {"sample", place.file("never.sol", "x = uniform(0, 1);\nobserve(Uniform(2, 3), x);\nreturn x;\n")});
+  CHECK(outcome.status == 3);
+  CHECK(outcome.err.find("never.sol:2:1: error: none of 10000 executions") != std::string::npos);
+}
+
+TEST_CASE("command: counts and weights beyond measure are errors of the program") {
+  const Workplace place;
+  const auto complaint = [&](const std::string& text) {
+    const Outcome outcome = run_solitaire({"sample", place.file("huge.sol", text)});
+    CHECK(outcome.status == 3);
+    return outcome.err;
+  };
+  CHECK(complaint("return poisson(1e300);\n").find("huge.sol:1:16: error: the counts of 'poisson'") !=
+        std::string::npos);
+  CHECK(complaint("return geometric(1e-300);\n").find("huge.sol:1:18: error: the counts of 'geometric'") !=
+        std::string::npos);
+  CHECK(complaint("x = normal(0, 1);\nfactor(exp(1000 * (1 + x * x)));\nreturn x;\n")
+            .find("huge.sol:2:1: error: 'factor' makes an execution infinitely probable") !=
+        std::string::npos);
+}
+
+/// The likelihood is that of a logistic regression. Its priors are so wide that exp(-z) is infinite in most
+/// of the executions that chains start from.
+TEST_CASE("command: a logistic curve holds far from its middle") {
+  const Workplace place;
+  const std::string script =
+      place.file("logistic.sol",
+                 "b = normal(0, 500);\n"
+                 "for x in [-3, -2, 2, 4]: observe(Flip(1 / (1 + exp(-b * x))), x > 0);\n"
+                 "return b > 0, b < 400;\n");
+  const Outcome outcome = run_solitaire({"sample", script, "-n", "4000", "--json", "-q"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto parameters = nlohmann::json::parse(outcome.out)["parameters"];
+  CHECK(parameters[0]["mean"].get<double>() > 0.99);
+  // Nearly half of a normal distribution, of which 0.5763 lies within 0.8 standard deviations.
+  const double below = parameters[1]["mean"].get<double>();
+  CHECK(std::abs(below - 0.5763) < 4 * parameters[1]["mcse"].get<double>() + 0.002);
 }
 
 TEST_CASE("command: solutions and scenes are drawn by how probable they are") {

@@ -139,8 +139,19 @@ def power(run, call):
     base, exponent = float(a_number(call, "base")), float(a_number(call, "exponent"))
     try:
         return math.pow(base, exponent)
-    except (ValueError, OverflowError) as error:
+    except OverflowError:
+        return -math.inf if base < 0 and exponent % 2 == 1 else math.inf
+    except ValueError as error:
+        if base == 0:
+            return math.copysign(math.inf, base) if exponent % 2 == 1 else math.inf
         raise ProgramError(call.place, f"'pow' of {base} and {exponent} has no value") from error
+
+
+def exponential(number):
+    try:
+        return math.exp(number)
+    except OverflowError:
+        return math.inf
 
 
 def of_float(function):
@@ -440,7 +451,7 @@ BUILTINS = {
         builtin("sqrt", "x", of_float(math.sqrt)),
         builtin("sin", "x", of_float(math.sin)),
         builtin("cos", "x", of_float(math.cos)),
-        builtin("exp", "x", of_float(math.exp)),
+        builtin("exp", "x", of_float(exponential)),
         builtin("log", "x", of_float(math.log)),
         builtin("lgamma", "x", of_float(math.lgamma)),
         builtin("pow", "base exponent", power),

@@ -11,8 +11,11 @@ class Rejected(Exception):
     """This execution is no solution: an assert failed, or what the manual counts like one."""
 
 
-def finite(value, place):
-    if not math.isfinite(value):
+def finite(value, operands, place):
+    """An exp or pow of something large is infinite, and so may be what is computed with it."""
+    if math.isnan(value):
+        raise ProgramError(place, "this has no value")
+    if math.isinf(value) and all(map(math.isfinite, operands)):
         raise ProgramError(place, "this float grows past the largest one")
     return value
 
@@ -37,7 +40,7 @@ def arithmetic(sign, left, right, place, of_numbers):
     if not is_number(left) or not is_number(right):
         raise mismatch(sign, left, right, place)
     result = of_numbers(left, right)
-    return within_62_bits(result, place) if type(result) is int else finite(result, place)
+    return within_62_bits(result, place) if type(result) is int else finite(result, (left, right), place)
 
 
 def divide(left, right, place):
