@@ -232,7 +232,13 @@ struct Before {
 };
 using Spans = std::set<Span, Before>;
 
-/// The asserts of a program, each with its conjuncts.
+bool is_library(const Program& program, Span span) {
+  return std::ranges::any_of(program.modules, [&](const Module& module) {
+    return module.is_library && module.source == span.source;
+  });
+}
+
+/// The asserts of a program without those of the library, each with its conjuncts.
 std::map<Span, Spans, Before> asserts_of(const RunOfProgram& run) {
   TracingOptions options;
   options.limits = run.limits;
@@ -242,8 +248,9 @@ std::map<Span, Spans, Before> asserts_of(const RunOfProgram& run) {
   ConditionSolver solver(run.program, run.params, options, choices, addresses, pins);
   std::map<Span, Spans, Before> asserts;
   for (const TracedCondition& each : solver.all()) {
-    if (each.condition.requirement == ConstraintKind::kAssert)
-      asserts[each.condition.whole].insert(each.condition.span);
+    const Condition& condition = each.condition;
+    if (condition.requirement == ConstraintKind::kAssert && !is_library(run.program, condition.whole))
+      asserts[condition.whole].insert(condition.span);
   }
   return asserts;
 }

@@ -16,7 +16,7 @@ struct DeadAsserts {
 
 /// The asserts of a program that never constrain anything: in all their calls and loop turns they hold
 /// whenever the other conditions do. All of them together can be left out of the program without any change
-/// to its solutions.
+/// to its solutions. Those of the library are not among them.
 DeadAsserts find_dead_asserts(const Program& program, const ParamValues& params,
                               const TracingOptions& options);
 
