@@ -347,9 +347,10 @@ TEST_CASE("library: what the library places is said to come from the program's c
     places[placement.asset.empty() ? placement.name : placement.asset].insert(placement.source);
   CHECK(places.at("chair") == std::set<std::string>{"room.sol:3:3"});
   CHECK(places.at("lamp") == std::set<std::string>{"room.sol:4:3"});
-  for (const auto& [name, sources] : places) {
-    CAPTURE(name);
-    if (name != "chair" && name != "lamp") CHECK(sources == std::set<std::string>{"room.sol:7:1"});
+  for (const auto& each : places) {
+    CAPTURE(each.first);
+    if (each.first != "chair" && each.first != "lamp")
+      CHECK(each.second == std::set<std::string>{"room.sol:7:1"});
   }
   CHECK(places.size() > 2);
 }

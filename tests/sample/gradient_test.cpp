@@ -7,6 +7,7 @@
 
 #include "engines/sample/diagnostics.h"
 #include "engines/sample/joint_move.h"
+#include "engines/sample/trajectory.h"
 #include "kernel/compiler.h"
 #include "kernel/machine.h"
 #include "tests/sample/traced.h"
@@ -202,6 +203,24 @@ TEST_CASE("joint moves: floats that move together alone are spread as they shoul
   // Far more than covariances are learned of.
   check_joint_moves("m = normal(0, 1); x = [normal(0.3 * m, 1) for i in 1..40]; return m, sum(x), x[3];",
                     2000);
+}
+
+TEST_CASE("joint moves: a trajectory becomes as long as it may where nothing turns it back") {
+  Traced traced("return normal(0, 1000000);", 3);
+  Spread spread(1);
+  for (int i = 0; i < 60; ++i) spread.watch(std::array{i % 2 == 0 ? -1.0 : 1.0});
+  REQUIRE(spread.known());
+  FloatSpace space(traced.kernel());
+  constexpr double kStep = 0.01;
+  constexpr int kRuns = 40;
+  double squares = 0;
+  for (int i = 0; i < kRuns; ++i) {
+    const double before = space.present()[0];
+    Trajectory(space, spread, kStep, traced.stream).run();
+    squares += std::pow((space.present()[0] - before) / kStep, 2);
+  }
+  // One of the 512 points that came last is drawn. They lie one after the other, up to 1,023 steps away.
+  CHECK(std::sqrt(squares / kRuns) > 250);
 }
 
 }  // namespace

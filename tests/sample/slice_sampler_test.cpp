@@ -19,6 +19,7 @@ struct Line {
   const char* text;  // its first choice is what moves
   Density log_density;
   double low, high, step;  // where the choice is, and how finely it is integrated: by 1 for an int
+  bool learns = true;      // the width of the first interval
 };
 
 const Line kLines[] = {
@@ -38,6 +39,11 @@ const Line kLines[] = {
      [](double n) { return n * std::log(4) - std::lgamma(n + 1) - (n - 7) * (n - 7) / 8; }, 0, 60, 1},
     {"g = geometric(0.3); factor(0.2 * g - 0.01 * g * g); return g;",
      [](double g) { return g * std::log(0.7) + 0.2 * g - 0.01 * g * g; }, 0, 200, 1},
+    // A gap that an interval of the usual width, 5, steps over now and then, from either side as often.
+    {"u = uniform(-1.5, 11); factor(cond(abs(u - 4.5) > 4.5, -1000, 0) + cond(abs(u - 2.5) < 1.5, -1000, "
+     "0)); return u;",
+     [](double u) { return (u >= 0 && u <= 1) || (u >= 4 && u <= 9) ? 0.0 : -1000.0; }, 0.0005, 9, 0.001,
+     false},
 };
 
 /// The integral of f times the density.
@@ -68,7 +74,7 @@ TEST_CASE("slice sampling: draws have the moments of the density along a choice"
     std::vector<double> draws;
     const bool is_float = kernel.domain(0).type() == Type::kFloat;
     for (int i = 0; i < 11'000; ++i) {
-      const Scalar value = sampler.draw(kernel, 0, i < 1000);
+      const Scalar value = sampler.draw(kernel, 0, line.learns && i < 1000);
       if (bits_of(value) != bits_of(kernel.value(0))) {
         REQUIRE(kernel.propose(0, value) == Kernel::Outcome::kScored);
         kernel.accept();
