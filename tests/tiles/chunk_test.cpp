@@ -27,10 +27,14 @@ TEST_CASE("chunks: a part of the plane is the same whichever region it is asked 
   const EndlessMap map = streets(3, style);
   const FarPoint from{-7, 11};
   const Grid whole = map.region(from, {{30, 20, 1}}, StopSignal());
-  for (const auto& [x, y, w, h] : {std::array{0, 0, 15, 20}, {15, 0, 15, 20}, {4, 7, 1, 1}, {9, 3, 12, 5}}) {
-    const Grid part = map.region({from[0] + x, from[1] + y}, {{w, h, 1}}, StopSignal());
+  struct Box {
+    int x, y, width, height;
+  };
+  for (const Box& box : {Box{0, 0, 15, 20}, {15, 0, 15, 20}, {4, 7, 1, 1}, {9, 3, 12, 5}}) {
+    const Grid part =
+        map.region({from[0] + box.x, from[1] + box.y}, {{box.width, box.height, 1}}, StopSignal());
     for_each_point(part.size, [&](const Point& at) {
-      REQUIRE(part.at(at) == whole.at({at[0] + x, at[1] + y, 0}));
+      REQUIRE(part.at(at) == whole.at({at[0] + box.x, at[1] + box.y, 0}));
     });
   }
   CHECK(find_faults(Problem(style, {whole.size, {}}), whole).empty());
