@@ -321,6 +321,8 @@ void Structures::update_element(Value& object, const Value& index, Span span, co
     return;
   }
   check_indexed(object, index, span);
+  // Once its elements are in their places, the length may turn out to be known.
+  if (object.is<ChosenList>()) object = packed(*graph_, object);
   if (object.is<ChosenList>()) return update_chosen_list(object, index, span, change);
   const std::size_t count = object.as_list()->items.size();
   if (index.is<std::int64_t>()) {
@@ -342,7 +344,6 @@ void Structures::update_element(Value& object, const Value& index, Span span, co
 }
 
 void Structures::update_chosen_list(Value& object, const Value& index, Span span, const Change& change) {
-  object = packed(*graph_, object);
   const auto [first, last] = require_index(Elements(object), index, span);
   ChosenList& list = object.own<ChosenList>();
   for (std::int64_t i = first; i <= last; ++i) {
