@@ -4,7 +4,7 @@
 #include <set>
 
 #include "engines/tiles/sample/sampler.h"
-#include "tests/tiles/enumeration.h"
+#include "tests/tiles/drawn_maps.h"
 #include "tests/tiles/fixture.h"
 
 namespace solitaire::tiles {
@@ -100,18 +100,7 @@ TEST_CASE("keys: maps come as often as enumeration says") {
   std::vector<std::optional<Tile>> keys(style->tileset.size());
   keys[*style->tileset.find("A")] = style->tileset.find("a");
   problem.add(std::make_shared<Keys>(problem.topology(), open, keys, 0, "keys"));
-  Enumeration all(problem);
-  REQUIRE(all.size() > 20);
-  SamplerOptions options;
-  options.anneal = 4;
-  options.sweeps = 14;
-  for (std::uint64_t number = 0; number < 800; ++number) {
-    const Sample made = draw_sample(problem, consistent_domains(problem), options, number, StopSignal());
-    REQUIRE(made.outcome == Outcome::kFound);
-    all.draw(made.map);
-  }
-  CHECK(all.strangers() == 0);
-  CHECK(all.chi_squared() < 1.5);
+  check_drawn_maps(problem);
 }
 
 }  // namespace

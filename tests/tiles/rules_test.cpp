@@ -6,6 +6,7 @@
 #include "engines/tiles/rules/longest_run.h"
 #include "engines/tiles/rules/path.h"
 #include "engines/tiles/sample/sampler.h"
+#include "tests/tiles/drawn_maps.h"
 #include "tests/tiles/enumeration.h"
 #include "tests/tiles/fixture.h"
 
@@ -64,18 +65,7 @@ TEST_CASE("maps with a path, without long runs and with distances come as often 
                                            2, "grass"));
   problem.add(
       std::make_shared<Distance>(problem.topology(), TileMask::of(tile_named(*style, "#")), 2, "houses"));
-  Enumeration all(problem);
-  REQUIRE(all.size() > 20);
-  SamplerOptions options;
-  options.anneal = 4;
-  options.sweeps = 14;
-  for (std::uint64_t number = 0; number < 800; ++number) {
-    const Sample made = draw_sample(problem, consistent_domains(problem), options, number, StopSignal());
-    REQUIRE(made.outcome == Outcome::kFound);
-    all.draw(made.map);
-  }
-  CHECK(all.strangers() == 0);
-  CHECK(all.chi_squared() < 1.5);
+  check_drawn_maps(problem);
 }
 
 TEST_CASE("halves unfold to exactly the maps that are their own mirror images") {
