@@ -33,7 +33,7 @@ double chain_chi_squared(const Problem& sampled, const Problem& target, const Ch
     for (std::uint64_t each = 0; each < options.thinning; ++each, ++sweep) {
       const auto windows = options.boxes ? plan.boxes(2, 2, sweep, random) : plan.bands(sweep, random);
       for (const auto& window : windows)
-        all_redrawn = frontier.redraw(map, window, weights, random) && all_redrawn;
+        all_redrawn = frontier.redraw(map, window, weights, random) == 0 && all_redrawn;
     }
     all.draw(map);
   }

@@ -18,11 +18,16 @@ unsigned Frontier::bits_of(const Problem& problem) {
   return PatchIndex::bits_for(problem.style().tileset.size());
 }
 
-bool Frontier::redraw(Grid& map, std::span<const std::uint32_t> sites, Weights& weights,
-                      RandomStream& random) {
-  if (!plan_.lay_out(map, sites, weights) || !sum_up()) return false;
-  draw_back(map, random);
-  return true;
+std::size_t Frontier::redraw(Grid& map, std::span<const std::uint32_t> sites, Weights& weights,
+                             RandomStream& random) {
+  if (plan_.lay_out(map, sites, weights) && sum_up()) {
+    draw_back(map, random);
+    return 0;
+  }
+  if (sites.size() == 1) return 1;
+  const std::size_t half = sites.size() / 2;
+  const std::size_t left = redraw(map, sites.first(half), weights, random);
+  return left + redraw(map, sites.subspan(half), weights, random);
 }
 
 bool Frontier::sum_up() {

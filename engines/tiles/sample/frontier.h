@@ -15,9 +15,11 @@ class Frontier {
  public:
   explicit Frontier(const Problem& problem) : plan_(problem), tile_bits_(bits_of(problem)) {}
 
-  /// Redraws the sites. Returns false, and leaves them, where that would take more than kMostStates
-  /// different frontiers. Whether it does depends on the tiles around the window, never on those in it.
-  bool redraw(Grid& map, std::span<const std::uint32_t> sites, Weights& weights, RandomStream& random);
+  /// Redraws the sites: in two halves, one after the other, where all together would take more than
+  /// kMostStates different frontiers. Whether they would depends on the tiles around the window, never on
+  /// those in it, so that each half is drawn from its exact distribution, too. Returns how many sites are
+  /// left as they were, since even one of them alone would take too many.
+  std::size_t redraw(Grid& map, std::span<const std::uint32_t> sites, Weights& weights, RandomStream& random);
 
   static constexpr std::size_t kMostStates = 20'000;
 

@@ -69,16 +69,8 @@ class WindowSampling {
     std::erase_if(sites, [this](std::uint32_t site) { return domains_[site].size() == 1; });
   }
 
-  /// Redraws a window in two halves where the whole would take too many states. Whether it does depends on
-  /// the tiles around it alone, so that each half is drawn from its exact distribution given all others.
   void redraw(std::span<const std::uint32_t> sites, RandomStream& random) {
-    if (frontier_.redraw(sample_->map, sites, weights_, random)) return;
-    if (sites.size() == 1) {
-      ++sample_->left;
-      return;
-    }
-    redraw(sites.first(sites.size() / 2), random);
-    redraw(sites.subspan(sites.size() / 2), random);
+    sample_->left += frontier_.redraw(sample_->map, sites, weights_, random);
   }
 
   /// Puts the window back if it breaks a rule that held.
