@@ -83,8 +83,8 @@ std::string constant_of_json(const std::filesystem::path& path) {
   try {
     return json_constant(Json::parse(text), path);
   } catch (const Json::exception& error) {
-    const std::string_view what =
-        error.what();  // "[json.exception.parse_error.101] parse error at line 1 ..."
+    // "[json.exception.parse_error.101] parse error at line 1 ..."
+    const std::string_view what = error.what();
     refuse_data(path, fmt::format("is no JSON: {}", what.substr(what.find("] ") + 2)));
   }
 }

@@ -83,11 +83,10 @@ bool NearbySearch::assume(std::span<const int> assumptions) {
 /// A search that succeeded may take more conflicts the next time, and one that failed fewer.
 bool NearbySearch::search(const StopSignal& signal) {
   const std::size_t assumed = propagator_.decisions();
-  if (!has_searched_) conflicts_ = most_conflicts();
-  has_searched_ = true;
-  const bool found = search_within(conflicts_, assumed, signal);
-  conflicts_ =
-      std::clamp(found ? 2 * conflicts_ : conflicts_ / 4, tuning::kFewestConflicts, most_conflicts());
+  const std::uint64_t most = most_conflicts();
+  const std::uint64_t conflicts = conflicts_.value_or(most);
+  const bool found = search_within(conflicts, assumed, signal);
+  conflicts_ = std::clamp(found ? 2 * conflicts : conflicts / 4, tuning::kFewestConflicts, most);
   return found;
 }
 

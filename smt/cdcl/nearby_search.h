@@ -82,8 +82,8 @@ class NearbySearch {
   std::vector<bool> ordered_;                             // by choice of search_, see ChoiceEncoding::order
   std::vector<char> wanted_;                              // by variable
   const unsigned forgets_;
-  std::uint64_t conflicts_ = 0;  // the next search gives up after so many
-  bool has_searched_ = false;
+  std::optional<std::uint64_t>
+      conflicts_;  // the next search gives up after so many; the first after the most
 };
 
 }  // namespace solitaire

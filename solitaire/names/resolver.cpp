@@ -329,15 +329,15 @@ class Resolver {
     const std::string label = call_label(program_, *node.callee, scope_->purpose, naming_);
     if (calls_parameter(*node.callee)) {
       scope_->parameter_calls.emplace_back(&node.site, label);
-    } else if (!is_wrapper(node)) {
+    } else if (!leave_out_wrapper(node)) {
       scope_->sites.count(node.site, label);
     }
   }
 
-  /// Returns true for a call of the library whose result the function at hand returns, so that all that it
-  /// makes is the function's own and needs no step; then its site is left without a label, if that keeps
-  /// addresses apart.
-  bool is_wrapper(CallExpr& node) {
+  /// Leaves the site of a call without a label if addresses stay apart without one, and the call is one of
+  /// the library whose result the function at hand returns: all that it makes is the function's own and needs
+  /// no step. Returns true if it did.
+  bool leave_out_wrapper(CallExpr& node) {
     if (naming_ != Naming::kToday || !scope_->purpose.empty() || !scope_->results.contains(&node) ||
         !is_of_library(program_, *node.callee))
       return false;

@@ -38,8 +38,7 @@ void require_endless(const Request& request, const SamplerOptions& options) {
   if (whole) {
     throw RequestError(
         "chunks of an endless map have no pins, borders, zones, rules about the whole map, mirrors, rings or "
-        "layers; "
-        "name the exemplar alone, or a problem file without them");
+        "layers; name the exemplar alone, or a problem file without them");
   }
   if (options.kind != SamplerKind::kWindows) throw RequestError("--chunk goes with the sampler windows only");
 }
@@ -71,11 +70,11 @@ MapMaker::MapMaker(const Request& request, std::shared_ptr<Style> style, const P
   if (!request.districts) return;
   if (request.mirror) throw RequestError("a mirrored map cannot have zones that are drawn");
   coarse_request_ = coarse_request(request);
-  coarse_style_ = read_style(*coarse_request_);
-  coarse_problem_ = make_problem(*coarse_request_, coarse_style_);
-  coarse_ = std::make_unique<MapMaker>(*coarse_request_, coarse_style_, *coarse_problem_, options,
+  const std::shared_ptr<Style> coarse_style = read_style(*coarse_request_);
+  coarse_problem_ = make_problem(*coarse_request_, coarse_style);
+  coarse_ = std::make_unique<MapMaker>(*coarse_request_, coarse_style, *coarse_problem_, options,
                                        std::vector<FarPoint>());
-  zones_by_tile(request, coarse_style_->tileset);  // complains of tiles that are no zones
+  zone_of_tile_ = zones_by_tile(request, coarse_style->tileset);
 }
 
 void MapMaker::prepare(const StopSignal& stop) {
@@ -87,8 +86,7 @@ void MapMaker::prepare(const StopSignal& stop) {
     if (outcome != Outcome::kFound) {
       throw RequestError(
           "no small periodic map was found to begin an endless map with; let the exemplar be periodic, or "
-          "make maps of "
-          "a size");
+          "make maps of a size");
     }
     return;
   }
@@ -123,11 +121,10 @@ Sample MapMaker::make_chunk(const FarPoint& chunk, const StopSignal& stop) const
 Sample MapMaker::make_with_districts(std::uint64_t number, const StopSignal& stop) const {
   const Sample coarse = coarse_->make(number, stop);
   if (coarse.outcome != Outcome::kFound) return coarse;
-  const std::vector<std::uint8_t> zone_of = zones_by_tile(request_, coarse_style_->tileset);
   std::vector<std::uint8_t> zones;
   for_each_point(problem_.size(), [&](const Point& at) {
     const int scale = request_.districts->scale;
-    zones.push_back(zone_of[coarse.map.at({at[0] / scale, at[1] / scale, 0})]);
+    zones.push_back(zone_of_tile_[coarse.map.at({at[0] / scale, at[1] / scale, 0})]);
   });
   Problem problem = problem_;
   problem.set_zones(std::move(zones));

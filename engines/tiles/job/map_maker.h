@@ -39,8 +39,8 @@ class MapMaker {
   std::vector<TileMask> domains_;  // of the problem, or of its half
   // Where zones are drawn: what makes the coarse maps. Domains then differ from map to map.
   std::optional<Request> coarse_request_;
-  std::shared_ptr<Style> coarse_style_;
   std::optional<Problem> coarse_problem_;
+  std::vector<std::uint8_t> zone_of_tile_;  // by tile of the coarse map
   std::unique_ptr<MapMaker> coarse_;
 };
 
