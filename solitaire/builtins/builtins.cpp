@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "solitaire/builtins/box_functions.h"
 #include "solitaire/builtins/distributions.h"
 #include "solitaire/builtins/list_functions.h"
 #include "solitaire/builtins/models.h"
@@ -444,6 +445,7 @@ std::vector<Builtin> make_table() {
       {"first", {"list"}, 1, false, false, false, first_element},
       {"last", {"list"}, 1, false, false, false, last_element},
       {"distinct", {"list"}, 1, false, false, false, distinct},
+      {"boxes_apart", {"boxes", "gap"}, 1, false, false, false, boxes_apart},
       {"pairs", {"list"}, 1, false, false, false, pairs},
       {"zip", {"a", "b"}, 2, false, false, false, zip},
       {"reverse", {"list"}, 1, false, false, false, reverse},

@@ -16,7 +16,9 @@ fun inside3(o, r) { return all(inside(o, r), r.z <= o.z, o.z + o.h <= r.z + r.h)
 fun apart3(a, b, gap = 0) { return any(apart(a, b, gap), z2(a) + gap <= b.z, z2(b) + gap <= a.z); }
 
 // No two of the list overlap.
-fun all_apart3(things, gap = 0) { return all([apart3(a, b, gap) for a, b in pairs(things)]); }
+fun all_apart3(things, gap = 0) {
+  return boxes_apart([[[o.x, x2(o)], [o.y, y2(o)], [o.z, z2(o)]] for o in things], gap);
+}
 
 // They overlap, seen from above.
 fun above_each_other(a, b) { return all(overlap_x(a, b), overlap_y(a, b)); }

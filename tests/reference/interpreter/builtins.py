@@ -249,6 +249,22 @@ def distinct(run, call):
     return not any(same(a, b) for a, b in pairs_of(a_list(call)))
 
 
+def boxes_apart(run, call):
+    gap = call.given.get("gap", 0)
+    boxes = a_list(call, "boxes")
+    if not is_number(gap):
+        raise ProgramError(call.place_of("gap"), f"a gap is a number, not {kind(gap)}")
+    for box in boxes:
+        if type(box) is not tuple or not box or len(box) != len(boxes[0]):
+            raise ProgramError(call.place_of("boxes"), "each box is a list of [low, high], of as many axes as the others")
+        for ends in box:
+            if type(ends) is not tuple or len(ends) != 2 or not all(is_number(end) for end in ends):
+                raise ProgramError(call.place_of("boxes"), "what a box takes along an axis is a list of two numbers")
+    return all(
+        any(one[1] + gap <= other[0] or other[1] + gap <= one[0] for one, other in zip(a, b)) for a, b in pairs_of(boxes)
+    )
+
+
 def zip_lists(run, call):
     return tuple(zip(a_list(call, "a"), a_list(call, "b")))
 
@@ -470,6 +486,7 @@ BUILTINS = {
         builtin("map", "f list", map_list),
         builtin("filter", "f list", filter_list),
         builtin("distinct", "list", distinct),
+        builtin("boxes_apart", "boxes gap", boxes_apart, required=1),
         builtin("pairs", "list", lambda run, call: tuple(pairs_of(a_list(call)))),
         builtin("zip", "a b", zip_lists),
         builtin("reverse", "list", lambda run, call: a_list(call)[::-1]),
