@@ -37,7 +37,8 @@ std::string summary_text(const Summary& summary, Ending ending, double seconds, 
   std::string text =
       fmt::format("{} solution{}{} in {:.2f} s", summary.solutions, summary.solutions == 1 ? "" : "s",
                   summary.earlier > 0 ? fmt::format(" ({} of them earlier)", summary.earlier) : "", seconds);
-  if (options.search.run_each) text += fmt::format(", checked by {} runs", summary.times.replays);
+  if (const auto runs = summary.times.replays; options.search.run_each && runs > 0)
+    text += fmt::format(", checked by {} run{}", runs, runs == 1 ? "" : "s");
   const bool names_only = summary.names_differed && options.search.distinct == Distinct::kResult;
   if (summary.alike > 0) {
     text += fmt::format(

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ class Source {
   std::string_view text() const { return text_; }
   /// Returns the position of a byte; an offset behind the text is at its end.
   Position position(std::uint32_t offset) const;
+  /// Returns the offset of the character at a position; nothing if there is none.
+  std::optional<std::uint32_t> offset(Position position) const;
   /// Returns a line's text without its end; lines count from 1.
   std::string_view line(std::size_t number) const;
 
@@ -50,6 +53,9 @@ class SourceSet {
   std::string_view text(Span span) const;
   /// Returns where a span starts: "file.sol:12:3".
   std::string place(Span span) const;
+  /// Returns the span of the character at such a place, whose file may be named without its folder; nothing
+  /// if there is none.
+  std::optional<Span> span_at(const std::string& place) const;
 
  private:
   std::deque<Source> sources_;  // a deque, so that views of the texts stay valid

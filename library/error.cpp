@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <optional>
 #include <solitaire/error.h>
 
 #include "library/translate.h"
@@ -64,6 +65,13 @@ std::vector<Diagnostic> public_diagnostics(const std::vector<solitaire::Diagnost
   for (const solitaire::Diagnostic& diagnostic : diagnostics)
     made.push_back(public_diagnostic(diagnostic, sources));
   return made;
+}
+
+Error error_of(const ThingError& error, const SourceSet& sources) {
+  const std::optional<Span> span = sources.span_at(error.source());
+  if (!span) return {Error::Kind::kFile, error.what()};
+  const solitaire::Diagnostic told{*span, error.reason(), "", {"at " + error.address()}};
+  return error_of(Error::Kind::kFile, ProgramError(told), sources);
 }
 
 Error error_of(Error::Kind kind, const ProgramError& error, const SourceSet& sources) {

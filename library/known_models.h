@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/assets.h"
+#include "scene/paint.h"
 #include "solitaire/names/models.h"
 
 namespace solitaire::api {
@@ -18,6 +19,7 @@ class KnownModels : public Models {
   /// Throws SceneError for a file that cannot be used.
   std::optional<ModelFacts> find(const std::string& name) const override;
   std::vector<std::string> names() const override;
+  std::vector<std::string> materials() const override { return material_names(); }
 
  private:
   mutable std::mutex mutex_;

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <solitaire/program.h>
 
 #include "base/installation.h"
@@ -27,6 +28,15 @@ std::shared_ptr<const Program::State> loaded(const std::filesystem::path& script
   state->program = translated(
       sources_on_error, [&] { return load_program(texts, script, load_options(*state), sources_on_error); });
   return state;
+}
+
+/// Throws Error (kUsage) unless the program has a param of that name.
+void require_known(const Program::State& state, const std::string& param) {
+  try {
+    require_param(state.program, param);
+  } catch (const UnknownParam& error) {
+    throw Error(Error::Kind::kUsage, error.what());
+  }
 }
 
 }  // namespace
@@ -72,6 +82,7 @@ Program::Program(const Program&) = default;
 Program& Program::operator=(const Program&) = default;
 
 void Program::set(const std::string& param, const std::string& value) {
+  require_known(*state_, param);
   std::vector<std::pair<std::string, std::string>> settings = settings_;
   settings.emplace_back(param, value);
   values_of_params(*state_, settings);
@@ -79,7 +90,13 @@ void Program::set(const std::string& param, const std::string& value) {
 }
 
 void Program::set_from_file(const std::string& param, const std::filesystem::path& path) {
-  set(param, constant_of_file(path));
+  require_known(*state_, param);
+  const std::string value = constant_of_file(path);
+  try {
+    set(param, value);
+  } catch (const Error& error) {  // tells the file instead of showing all that it holds as one line
+    throw Error(error.kind(), fmt::format("{}: {}", path.string(), error.diagnostics().front().message));
+  }
 }
 
 std::vector<std::string> Program::params() const {

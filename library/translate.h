@@ -16,6 +16,9 @@ std::vector<Diagnostic> public_diagnostics(const std::vector<solitaire::Diagnost
 /// Returns the public error that says the same; its spans are of `sources`.
 Error error_of(Error::Kind kind, const ProgramError& error, const SourceSet& sources);
 
+/// Returns the error about a thing, at its place call.
+Error error_of(const ThingError& error, const SourceSet& sources);
+
 /// Does some work on a program with these sources, and throws the public error in place of one that engines
 /// and scenes throw.
 template <class Work>
@@ -34,6 +37,8 @@ auto translated(const SourceSet& sources, const Work& work) {
     throw Error(Error::Kind::kUsage, error.what());
   } catch (const FileError& error) {
     throw Error(Error::Kind::kFile, error.what());
+  } catch (const ThingError& error) {
+    throw error_of(error, sources);
   } catch (const SceneError& error) {
     throw Error(Error::Kind::kFile, error.what());
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <utility>
 
@@ -112,7 +113,9 @@ std::optional<Paint> material_of(const PlacedThing& thing, const ThingOptions& o
   const std::string& text = *options.material;
   const auto material =
       text.starts_with('"') ? material_named(text.substr(1, text.size() - 2)) : std::nullopt;
-  if (!material) refuse(thing, fmt::format("there is no material {}; there are {}", text, material_names()));
+  if (!material)
+    refuse(thing,
+           fmt::format("there is no material {}; there are {}", text, fmt::join(material_names(), ", ")));
   return material;
 }
 

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <vector>
 
 namespace solitaire {
 namespace {
@@ -50,10 +47,10 @@ std::optional<Paint> material_named(std::string_view name) {
   return Paint{std::string(name), found->color, found->finish};
 }
 
-std::string material_names() {
-  std::vector<std::string_view> names;
-  for (const Material& material : kMaterials) names.push_back(material.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const Material& material : kMaterials) names.emplace_back(material.name);
+  return names;
 }
 
 }  // namespace solitaire

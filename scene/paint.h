@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/color.h"
 
@@ -34,7 +35,7 @@ struct Paint {
 /// Returns the paint of a material with this name, nothing if there is none.
 std::optional<Paint> material_named(std::string_view name);
 
-/// Returns the names of all materials: "oak, walnut, …".
-std::string material_names();
+/// Returns the names of all materials.
+std::vector<std::string> material_names();
 
 }  // namespace solitaire

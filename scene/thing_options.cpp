@@ -72,7 +72,7 @@ std::vector<std::string> steps_of(const std::string& path) {
 }  // namespace
 
 void refuse(const PlacedThing& thing, const std::string& what) {
-  throw SceneError(fmt::format("{}: {} ({})", thing.source, what, thing.address));
+  throw ThingError(thing.source, what, thing.address);
 }
 
 ThingOptions read_options(const PlacedThing& thing) {

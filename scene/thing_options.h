@@ -25,7 +25,7 @@ struct ThingOptions {
 /// has another type than it should.
 ThingOptions read_options(const PlacedThing& thing);
 
-/// Throws the SceneError that says what is wrong with a thing: its place call, and what it is about.
+/// Throws the ThingError that says what is wrong with a thing.
 [[noreturn]] void refuse(const PlacedThing& thing, const std::string& what);
 
 }  // namespace solitaire

@@ -214,6 +214,34 @@ TEST_CASE("analyze: a value that nothing uses is warned of, and a call is not") 
         "main.sol:3:1 unused-value: this value is not used\n");
 }
 
+TEST_CASE("analyze: a param or a record is declared once in a file") {
+  const Analysis analysis = analyzed({{"main.sol",
+                                       "import \"part.sol\";\n"
+                                       "param n = 1;\n"
+                                       "record P(a);\n"
+                                       "param n = 2;\n"
+                                       "record P(a, b);\n"
+                                       "param P = 3;\n"
+                                       "n = 4;\n"},
+                                      {"part.sol", "record P(a, b, c);\nparam n = 5;\n"}});
+  CHECK(report(analysis) ==
+        "main.sol:4:7 declared-twice: 'n' is declared here a second time\n"
+        "main.sol:5:8 declared-twice: 'P' is declared here a second time\n"
+        "main.sol:6:7 declared-twice: 'P' is declared here a second time\n");
+  CHECK(analysis.has_errors());
+  CHECK(format(analysis.diagnostics[0], analysis.program.sources) ==
+        "main.sol:4:7: error: 'n' is declared here a second time\n"
+        "  4 | param n = 2;\n"
+        "    |       ^\n"
+        "  note: main.sol:2:7: the other one is here\n");
+}
+
+TEST_CASE("analyze: a negative index is warned of") {
+  const Analysis analysis =
+      analyzed({{"main.sol", "xs = [1, 2];\ni = 1;\nreturn xs[-1], xs[-i], xs[1 - 1], -xs[1];\n"}});
+  CHECK(report(analysis) == "main.sol:3:11 negative-index: no list has such an element: they count from 0\n");
+}
+
 TEST_CASE("analyze: a hundred diagnostics are enough") {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += "nobody;\n";

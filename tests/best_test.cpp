@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <functional>
 #include <map>
 #include <set>
 
+#include "base/random.h"
 #include "tests/generator/program_generator.h"
 #include "tests/program_run.h"
 
@@ -184,6 +186,60 @@ TEST_CASE("best: near misses of generated programs are brute force's (slow)") {
   }
   CHECK(compared >= 40);  // else the generator has become poor
   CHECK(broken >= 10);
+}
+
+/// A condition on x and y, as text, with by how much they miss it.
+struct Wish {
+  std::string text;
+  std::function<std::int64_t(std::int64_t x, std::int64_t y)> miss;
+};
+
+Wish random_wish(RandomStream& random) {
+  const auto number = [&](int lo, int hi) {
+    return lo + static_cast<std::int64_t>(random.below(hi - lo + 1));
+  };
+  const std::int64_t a = number(-2, 2), b = number(-2, 2), bound = number(-40, 40);
+  const std::string sum = fmt::format("{} * x + {} * y", a, b);
+  const auto above = [=](std::int64_t x, std::int64_t y) { return a * x + b * y - bound; };
+  switch (number(0, 2)) {
+    case 0:
+      return {fmt::format("{} == {}", sum, bound), [=](auto x, auto y) { return std::abs(above(x, y)); }};
+    case 1:
+      return {fmt::format("{} <= {}", sum, bound),
+              [=](auto x, auto y) { return std::max<std::int64_t>(above(x, y), 0); }};
+    default:
+      return {fmt::format("{} > {}", sum, bound),
+              [=](auto x, auto y) { return std::max<std::int64_t>(1 - above(x, y), 0); }};
+  }
+}
+
+TEST_CASE("best: of near misses that break as much the nearest comes, also where no value can hold") {
+  RandomStream random(7, Purpose::kExplore, 0);
+  int never = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Wish first = random_wish(random), second = random_wish(random);
+    const std::string text = fmt::format(
+        "x = range(-4, 5);\ny = range(0, 6);\nassert({} and {});\nreturn x, y;\n", first.text, second.text);
+    CAPTURE(text);
+    const auto missed = [&](std::int64_t x, std::int64_t y) {
+      const std::int64_t one = first.miss(x, y), other = second.miss(x, y);
+      return std::pair((one > 0) + (other > 0), one + other);
+    };
+    auto nearest = missed(0, 0);
+    for (std::int64_t x = -4; x <= 5; ++x)
+      for (std::int64_t y = 0; y <= 6; ++y) nearest = std::min(nearest, missed(x, y));
+    never += nearest.first > 0 ? 1 : 0;
+    const Program program = program_of(text);
+    for (const SearchMethod* method : {&cadical_method(), &z3_method()}) {
+      TracingOptions options;
+      options.relax = true;
+      options.method = method;
+      const auto found = TracingEngine(program, {}, options).next();
+      REQUIRE(found.has_value());
+      CHECK(missed(found->choices[0].value.as_int(), found->choices[1].value.as_int()) == nearest);
+    }
+  }
+  CHECK(never >= 15);
 }
 
 TEST_CASE("best: a limit while a solution is made better leaves it as it is, and says so") {

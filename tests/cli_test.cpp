@@ -128,6 +128,7 @@ TEST_CASE("cli: generate runs the program with every solution, and so does solve
   const Workplace place;
   const std::string script = place.file("runs.sol", "x = range(1, 60);\nreturn x;\n");
   const std::string solving = run_solitaire({"solve", script, "--all"}).err;
+  CHECK(has(run_solitaire({"solve", script, "--check"}).err, ", checked by 1 run\n"));
   CHECK(has(solving, "60 solutions in "));
   CHECK(!has(solving, "checked by"));
   CHECK(has(run_solitaire({"solve", script, "--all", "--check"}).err, ", checked by 60 runs: proved"));
@@ -450,6 +451,18 @@ TEST_CASE("cli: near misses break few conjuncts, and come near in comparisons") 
           7);
     CHECK(nearest("x = range(0, 9);\nassert(not (x * x < 50 or x * x > 60));\nreturn x;\n",
                   engine)["value"] == 7);
+    // No value of the ranges holds, and the nearest is looked for all the same.
+    const auto value = [&](const std::string& text) { return nearest(text, engine)["value"]; };
+    CHECK(value("x = range(0, 5);\nassert(x == 10);\nreturn x;\n") == 5);
+    CHECK(value("x = range(0, 5);\nassert(x == -100000);\nreturn x;\n") == 0);
+    CHECK(value("x, y = range(0, 50), range(0, 9);\nassert(x + y > 70);\nassert(x < 30);\nreturn x, y;\n") ==
+          json{29, 9});
+    CHECK(value("x, y = range(0, 5), range(0, 5);\nassert(any(x > 1000, all(y > 20, x == 3)));\nreturn x, "
+                "y;\n") == json{3, 5});
+    CHECK(value("import \"std/layout.sol\";\nt = Rect(range(0, 9), range(2, 9), range(6, 9), 2);\n"
+                "assert(inside(t, Rect(1, 1, 4, 4)));\nreturn t.x, t.w;\n") == json{1, 6});
+    CHECK(value("fun f(n) { if n <= 0 then return true; return n != 7 and f(n - 1); }\n"
+                "x = range(0, 4);\nassert(x >= 9 and f(x));\nreturn x;\n") == 4);
     // Five in four places: one pair has to share one, and only these two are to blame.
     const json five =
         nearest("xs = [range(0, 3) for i in 1..5];\nassert(distinct(xs));\nreturn xs;\n", engine);
@@ -614,6 +627,57 @@ TEST_CASE("cli: a script without a command, and values that are none, get a line
     CHECK(has(told({"solve", script, "--timeout", seconds}), "'" + seconds + "' is not a number of seconds"));
   CHECK(has(run_solitaire({"solve", script, "--pin-file", place / "."}).err,
             "is a folder, not the .json file"));
+}
+
+TEST_CASE("cli: what a thing asks for and cannot have is told at its place call") {
+  const Workplace place;
+  const std::string script =
+      place.file("ä.sol",
+                 "// Tür\nfun thing(material) { place(\"chair\", material: material); }\n"
+                 "thing(choose([\"oak\", \"wood\"]));\n");
+  for (const char* command : {"solve", "check", "generate"}) {
+    const Outcome outcome = run_solitaire({command, script});
+    CHECK(outcome.status == 3);
+    CHECK(has(outcome.err,
+              "ä.sol:2:48: error: place: 'material' has no 'wood'; there are oak, walnut, birch, pine,"));
+    CHECK(has(outcome.err, "  2 | fun thing(material) { place(\"chair\", material: material); }\n"));
+  }
+  const std::string near = place.file("near.sol", "place(\"chair\", material: \"marbel\");\n");
+  CHECK(has(run_solitaire({"solve", near}).err, "'material' has no 'marbel'; did you mean 'marble'?"));
+  place.file("broken.glb", "glTF");
+  const std::string broken =
+      place.file("broken.sol", "x = range(0, 1); place(\"broken.glb\", at: [x, 0]);\n");
+  const Outcome outcome = run_solitaire({"generate", broken, "-n", "1", "-o", place / "out"});
+  CHECK(outcome.status == 3);
+  CHECK(has(outcome.err, "broken.sol:1:18: error: cannot read "));
+  CHECK(has(outcome.err, "  1 | x = range(0, 1); place(\"broken.glb\", at: [x, 0]);\n"));
+  CHECK(has(outcome.err, "  note: at place\n"));
+}
+
+TEST_CASE("cli: SOLITAIRE_DATA that names no folder is told") {
+  const Workplace place;
+  const std::string script = place.file("x.sol", "return 1;\n");
+  const Outcome outcome = run(
+      {"/usr/bin/env", "SOLITAIRE_DATA=" + (place / "none").string(), SOLITAIRE_PROGRAM, "solve", script});
+  CHECK(outcome.status == 3);
+  CHECK(outcome.err == "error: SOLITAIRE_DATA names no folder: '" + (place / "none").string() + "'\n");
+}
+
+TEST_CASE("cli: a param that the program does not have is told, whichever option names it") {
+  const Workplace place;
+  const std::string script = place.file("x.sol", "param groups = 3;\nreturn groups;\n");
+  const std::string list = place.file("list.json", "[1, 2]");
+  const auto told = [&](const std::string& option, const std::string& setting) {
+    const Outcome outcome = run_solitaire({"solve", script, option, setting});
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  const std::string unknown = "error: the program has no param 'group'; did you mean 'groups'?\n";
+  CHECK(told("--set", "group=4") == unknown);
+  CHECK(told("--data", "group=" + list) == unknown);
+  CHECK(told("--data", "group=" + (place / "none.json").string()) == unknown);
+  CHECK(told("--data", "groups=" + list) ==
+        "error: " + list + ": the param 'groups' is a number, not a list\n");
 }
 
 TEST_CASE("cli: a check that had nothing to look at says so") {

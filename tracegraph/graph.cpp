@@ -103,6 +103,28 @@ void Graph::order(NodeId& a, NodeId& b) const {
   if (rank(b) < rank(a)) std::swap(a, b);
 }
 
+/// Returns what the intervals of bools say of an operation on them.
+static Interval truth(Op op, const Interval* operands) {
+  switch (op) {
+    case Op::kNot:
+      return {1 - operands[0].hi, 1 - operands[0].lo};
+    case Op::kAnd:
+      return minimum(operands[0], operands[1]);
+    case Op::kOr:
+      return maximum(operands[0], operands[1]);
+    default:
+      return {0, 1};
+  }
+}
+
+NodeId Graph::open_comparison(Op op, NodeId a, NodeId b) {
+  const NodeId made = apply(op, {a, b});
+  const bool can_differ = !node(a).is_constant() || !node(b).is_constant();
+  if (made != kFalse || a == b || !can_differ) return made;
+  if (operation(op).commutative) order(a, b);
+  return intern({op, false, {a, b}, {0, 0}, 0});
+}
+
 NodeId Graph::apply(Op op, std::initializer_list<NodeId> operands) {
   Node made{op, operation(op).result == Type::kFloat, {}, {0, 1}, 0};
   std::array<Interval, 3> intervals;
@@ -119,6 +141,8 @@ NodeId Graph::apply(Op op, std::initializer_list<NodeId> operands) {
   if (row.bounds != nullptr) {
     made.interval = row.bounds(intervals.data());
     if (!made.interval.exact()) throw IntegerTooLarge(made.interval);
+  } else if (row.result == Type::kBool) {
+    made.interval = truth(op, intervals.data());
   }
   if (constant) return fold(op, made.args());
   if (row.result == Type::kInt && made.interval.single() && op != Op::kDiv && op != Op::kMod) {

@@ -44,14 +44,14 @@ struct UndefinedOperation : std::runtime_error {
 /// The hash-consed DAG of operations on choices: every expression exists once, so a later pass that meets
 /// the same expression finds the same node. Constants fold and simple identities apply when a node is made.
 /// Every int node carries the interval of values it can take, from which comparisons are decided and bit
-/// widths chosen.
+/// widths chosen. So does every bool node, as 0 and 1.
 class Graph {
  public:
   struct Node {
     Op op;
     bool has_float;  // itself or an operand below it is a float: no bit-vector says it
     std::array<NodeId, 3> operands{};
-    Interval interval;          // of an int; its lower end is the value of a constant bool or int
+    Interval interval;          // its lower end is the value of a constant bool or int
     std::uint64_t payload = 0;  // the bits of a float constant, or the number of a choice
 
     std::span<const NodeId> args() const { return {operands.data(), operation(op).arity}; }
@@ -72,6 +72,10 @@ class Graph {
   /// Throws IntegerTooLarge if an int result can leave the exact range, UndefinedOperation if all operands
   /// are constants for which the operation means nothing.
   NodeId apply(Op op, std::initializer_list<NodeId> operands);
+
+  /// A comparison of ints that stays one where the intervals of its operands say that it never holds, so that
+  /// one can ask how far it is from holding. Its own interval then says so.
+  NodeId open_comparison(Op op, NodeId a, NodeId b);
 
   NodeId negation(NodeId a) { return apply(Op::kNot, {a}); }
   NodeId conjunction(NodeId a, NodeId b) { return apply(Op::kAnd, {a, b}); }

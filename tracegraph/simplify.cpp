@@ -155,8 +155,8 @@ std::optional<NodeId> Graph::simplify_or(NodeId a, NodeId b) {
 }
 
 std::optional<NodeId> Graph::simplify_ite(Op op, NodeId condition, NodeId a, NodeId b) {
-  if (condition == kTrue || a == b) return a;
-  if (condition == kFalse) return b;
+  if (const Interval truth = node(condition).interval; truth.single()) return truth.lo != 0 ? a : b;
+  if (a == b) return a;
   if (node(condition).op == Op::kNot) return apply(op, {node(condition).operands[0], b, a});
   if (node(a).op == op && node(a).operands[0] == condition)
     return apply(op, {condition, node(a).operands[1], b});

@@ -10,7 +10,8 @@
 namespace solitaire {
 namespace {
 
-/// A conjunct that is further from holding is as bad as this: the numbers stay small, and near is near.
+/// What is further from holding than it can be at its nearest, by more than this, is as bad as this: the
+/// numbers stay small, and near is near.
 constexpr std::int64_t kFurthest = 255;
 
 /// Makes nodes that say how far conditions are from holding, each once.
@@ -28,7 +29,9 @@ class Misses {
 
  private:
   NodeId constant(std::int64_t value) { return graph_.constant(value); }
-  NodeId at_most_furthest(NodeId miss) { return graph_.apply(Op::kMin, {miss, constant(kFurthest)}); }
+  NodeId at_most_furthest(NodeId miss) {
+    return graph_.apply(Op::kMin, {miss, constant(graph_.node(miss).interval.lo + kFurthest)});
+  }
   NodeId both(NodeId a, NodeId b) { return at_most_furthest(graph_.apply(Op::kAdd, {a, b})); }
   NodeId either(NodeId a, NodeId b) { return graph_.apply(Op::kMin, {a, b}); }
 
@@ -96,7 +99,9 @@ NodeId miss_of(Graph& graph, const Trace& trace) {
   for (const Term& part : trace.hard_terms) {
     if (part.requirement != ConstraintKind::kAssert) continue;
     for (const NodeId conjunct : flattened(graph, part.node)) {
-      amounts.push_back(graph.phi(part.guard, misses.of(conjunct, true), none));
+      const NodeId miss = misses.of(conjunct, true);
+      const NodeId avoidable = graph.apply(Op::kSub, {miss, graph.constant(graph.node(miss).interval.lo)});
+      amounts.push_back(graph.phi(part.guard, avoidable, none));
       broken.push_back(graph.conjunction(part.guard, graph.negation(conjunct)));
     }
   }

@@ -19,7 +19,7 @@ ExecutionSolver::Firm firmness(bool relax) {
 
 TracingOptions for_solver(TracingOptions options, const StopSignal& stop) {
   options.limits.stop = &stop;
-  options.limits.keep_going = options.relax;
+  options.limits.keep_going = options.limits.open_comparisons = options.relax;
   return options;
 }
 

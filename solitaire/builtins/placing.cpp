@@ -1,9 +1,11 @@
 #include "solitaire/builtins/placing.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/nearest_name.h"
 #include "solitaire/value/plain_copy.h"
@@ -41,7 +43,10 @@ class PlaceReader {
     each(4, [&](const Value& angle) { made.angle = number("angle", angle); });
     each(5, [&](const Value& value) { made.color = color(value); });
     each(6, [&](const Value& name) { made.name = text("name", name); });
-    for (const auto& [name, value] : call_.extras) made.extras.emplace_back(name, to_json(value));
+    for (const auto& [name, value] : call_.extras) {
+      if (name == "material") check_material(value);
+      made.extras.emplace_back(name, to_json(value));
+    }
     return made;
   }
 
@@ -119,6 +124,20 @@ class PlaceReader {
                        [] { return message("color", "is a list of red, green and blue, each from 0 to 1"); });
   }
 
+  void check_material(const Value& material) {
+    const std::vector<std::string> known = checks_.materials();
+    if (known.empty()) return;
+    each_shape(material, [&](const Value& one) {
+      const String* name = one.object<String>();
+      if (name == nullptr) fail("material", "is a string, not " + describe(one));
+      if (std::ranges::find(known, name->text) != known.end()) return;
+      const std::string nearest = nearest_name(name->text, known);
+      fail("material", fmt::format("has no '{}'; {}", name->text,
+                                   nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                                   : fmt::format("did you mean '{}'?", nearest)));
+    });
+  }
+
   std::string text(const char* parameter, const Value& value) {
     if (value.is<Value::Nil>()) return "";
     if (value.object<String>() == nullptr) fail(parameter, "is a string, not " + describe(value));
@@ -173,6 +192,7 @@ class NoChecks : public PlacementChecks {
   }
   void check_positive(const Value&, Span, const Message&) override {}
   void check_part(const Value&, Span, const Message&) override {}
+  std::vector<std::string> materials() override { return {}; }
 };
 
 }  // namespace

@@ -22,6 +22,8 @@ class Models {
   virtual std::optional<ModelFacts> find(const std::string& name) const = 0;
   /// Returns the names of all that have one.
   virtual std::vector<std::string> names() const = 0;
+  /// Returns the names of the materials that a placed thing can be made of.
+  virtual std::vector<std::string> materials() const = 0;
 };
 
 }  // namespace solitaire

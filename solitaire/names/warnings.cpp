@@ -51,7 +51,25 @@ class Warnings : public TreeWalker {
     TreeWalker::statement(node);
   }
 
+  void expression(const Expr& node) override {
+    if (node.kind == ExprKind::kIndex) look_for_negative(*static_cast<const IndexExpr&>(node).index);
+    TreeWalker::expression(node);
+  }
+
  private:
+  void look_for_negative(const Expr& index) {
+    if (index.kind != ExprKind::kUnary) return;
+    const auto& negated = static_cast<const UnaryExpr&>(index);
+    if (negated.op != UnaryOp::kNegate || negated.operand->kind != ExprKind::kLiteral) return;
+    diagnostics_.add({index.span,
+                      "no list has such an element: they count from 0",
+                      "last(xs) is the last one, and xs[length(xs) - 2] the one before it",
+                      {},
+                      Severity::kWarning,
+                      "negative-index",
+                      {}});
+  }
+
   void look_for_unreached(const BlockStmt& block) {
     for (std::size_t i = 1; i < block.statements.size(); ++i) {
       const Stmt& before = *block.statements[i - 1];
@@ -76,21 +94,25 @@ class Warnings : public TreeWalker {
                       {}});
   }
 
+  /// Records that replace each other are errors, which the resolver reports.
   void look_for_replaced(const BlockStmt& block) {
-    std::map<std::string, Span> declared;
+    std::map<std::string, Span> functions, records;
     for (const StmtPtr& statement : block.statements) {
       if (const NameExpr* name = declared_function(*statement)) {
-        declare(declared, name->name, name->span);
+        look_for_replaced(records, name->name, name->span);
+        look_for_replaced(functions, name->name, name->span);
+        functions.try_emplace(name->name, name->span);
       } else if (statement->kind == StmtKind::kRecord) {
         const auto& record = static_cast<const RecordStmt&>(*statement);
-        declare(declared, record.name, record.name_span);
+        look_for_replaced(functions, record.name, record.name_span);
+        records.try_emplace(record.name, record.name_span);
       }
     }
   }
 
-  void declare(std::map<std::string, Span>& declared, const std::string& name, Span place) {
-    const auto [it, is_new] = declared.try_emplace(name, place);
-    if (is_new || name.empty()) return;
+  void look_for_replaced(const std::map<std::string, Span>& declared, const std::string& name, Span place) {
+    const auto it = declared.find(name);
+    if (it == declared.end() || name.empty()) return;
     warn("replaced-definition", place, fmt::format("'{}' is defined here a second time", name),
          {it->second, "the definition that it replaces is here"});
   }

@@ -81,8 +81,10 @@ void Constraints::require_open(const Value& given, ConstraintKind kind, Span spa
 }
 
 void Constraints::note_broken(const Value& given, Span span, Span whole, const std::string* message) {
-  const Value condition = settle(given);
-  if (const bool* known = condition.plain<bool>(); known != nullptr && *known && !forks_) return;
+  const Value settled = settle(given);
+  const bool* known = settled.plain<bool>();
+  if (known != nullptr && *known && !forks_) return;
+  const Value& condition = known != nullptr && *known ? settled : given;
   if (condition.is<Symbol>()) check_condition(node_of(*graph_, condition), span);
   effects_->constraint({ConstraintKind::kAssert, constraint_address(ConstraintKind::kAssert), span, whole,
                         message, true, turn_text()},

@@ -45,6 +45,8 @@ class Constraints : public Control {
   /// it, nothing is said against it. The path goes on in any case.
   template <class Evaluate>
   Value truth_apart(Evaluate evaluate);
+  /// Whether a comparison stays one that ranges decide, see Limits::open_comparisons.
+  bool keeps_comparisons() const { return keeps_comparisons_; }
 
  private:
   class Apart;
@@ -55,6 +57,8 @@ class Constraints : public Control {
   Value checked_condition(const Value& value, Span span);
   AddressId constraint_address(ConstraintKind kind);
   std::string turn_text() const;
+
+  bool keeps_comparisons_ = false;
 };
 
 /// The effects of a conjunct that is looked at by itself: it rules nothing out, and its errors make it false.
@@ -113,6 +117,7 @@ Value Constraints::truth_apart(Evaluate evaluate) {
   path_.enter_region();
   Apart apart(*effects_, path_, graph_);
   Effects& outer = *std::exchange(effects_, &apart);
+  const bool kept_before = std::exchange(keeps_comparisons_, forks_ && limits_.open_comparisons);
   Value truth = false;
   try {
     const Value holds = evaluate();
@@ -122,9 +127,11 @@ Value Constraints::truth_apart(Evaluate evaluate) {
   } catch (const PathEnd&) {
   } catch (...) {
     effects_ = &outer;
+    keeps_comparisons_ = kept_before;
     throw;
   }
   effects_ = &outer;
+  keeps_comparisons_ = kept_before;
   if (apart.unknown() != kFalse)
     truth = value_of(*graph_, graph_->disjunction(node_of(*graph_, truth), apart.unknown()));
   unwind(start);

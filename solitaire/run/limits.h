@@ -22,6 +22,9 @@ struct Limits {
   /// paths, explanations and near misses. Then asserts are taken apart: each conjunct of a condition is
   /// looked at by itself, and one that cannot be evaluated does not hold.
   bool keep_going = false;
+  /// In a symbolic pass that goes on: a comparison in an assert stays one where the ranges of choices say
+  /// that it never holds, so that near misses can come near to it.
+  bool open_comparisons = false;
 };
 
 }  // namespace solitaire

@@ -278,7 +278,7 @@ Value Operators::compare(BinaryOp op, const Value& a, const Value& b, Span span)
   const Value& left = meaning.swapped ? b : a;
   const Value& right = meaning.swapped ? a : b;
   if (left.has_type(Type::kInt) && right.has_type(Type::kInt))
-    return int_operation(meaning.on_ints, left, right, span);
+    return int_comparison(meaning.on_ints, left, right, span);
   const bool strict = meaning.on_ints == Op::kLtInt;
   if (const double* known = right.plain<double>(); known != nullptr && left.has_type(Type::kInt))
     return int_below(left, *known, strict, span);
@@ -312,7 +312,7 @@ Value Operators::equal_texts(const Value& a, const Value& b) {
 }
 
 Value Operators::equal_shaped(const Value& a, const Value& b, Span span) {
-  if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_operation(Op::kEqInt, a, b, {});
+  if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_comparison(Op::kEqInt, a, b, {});
   if (a.is_number() && b.is_number()) {
     if (a.has_type(Type::kInt) && b.plain<double>() != nullptr) return int_equals(a, *b.plain<double>());
     if (b.has_type(Type::kInt) && a.plain<double>() != nullptr) return int_equals(b, *a.plain<double>());

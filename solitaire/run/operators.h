@@ -67,6 +67,11 @@ class Operators : public Constraints {
 
   /// Bounds how deep lists and records nest in a value.
   void check_nesting(const Value& value, Span span);
+  /// A comparison in the program of two ints.
+  Value int_comparison(Op op, const Value& a, const Value& b, Span span) {
+    if (!keeps_comparisons()) return int_operation(op, a, b, span);
+    return value_of(*graph_, graph_->open_comparison(op, node_of(*graph_, a), node_of(*graph_, b)));
+  }
   /// An operation of the table on two ints, constants or not.
   Value int_operation(Op op, const Value& a, const Value& b, Span span) {
     const std::int64_t* x = a.plain<std::int64_t>();

@@ -1,6 +1,8 @@
 #include "solitaire/run/params.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/nearest_name.h"
 #include "solitaire/syntax/parser.h"
@@ -74,29 +76,26 @@ Value read_value(const ParamStmt& param, const std::string& text, std::uint32_t 
 
 }  // namespace
 
+void require_param(const Program& program, const std::string& name) {
+  const auto params = program.params();
+  if (find_param(params, name) != nullptr) return;
+  std::vector<std::string> names;
+  for (const ParamStmt* known : params) names.push_back(known->name);
+  const std::string nearest = nearest_name(name, names);
+  throw UnknownParam(fmt::format("the program has no param '{}'; {}", name,
+                                 !nearest.empty() ? fmt::format("did you mean '{}'?", nearest)
+                                 : names.empty()  ? "it has none at all"
+                                                  : fmt::format("it has {}", fmt::join(names, ", "))));
+}
+
 ParamValues read_params(const Program& program,
                         const std::vector<std::pair<std::string, std::string>>& settings,
                         SourceSet& sources) {
   const auto params = program.params();
   ParamValues values;
   for (const auto& [name, text] : settings) {
-    const ParamStmt* param = find_param(params, name);
-    if (param == nullptr) {
-      const std::uint32_t source = sources.add("--set", name);
-      std::vector<std::string> names;
-      std::string all;
-      for (const ParamStmt* known : params) {
-        names.push_back(known->name);
-        all += (all.empty() ? "" : ", ") + known->name;
-      }
-      const std::string nearest = nearest_name(name, names);
-      fail({source, 0, static_cast<std::uint32_t>(name.size())},
-           fmt::format("the program has no param '{}'", name),
-           !nearest.empty() ? fmt::format("did you mean '{}'?", nearest)
-           : all.empty()    ? "it has no params at all"
-                            : fmt::format("it has {}", all));
-    }
-    values[name] = read_value(*param, text, sources.add("--set " + name, text), sources);
+    require_param(program, name);
+    values[name] = read_value(*find_param(params, name), text, sources.add("--set " + name, text), sources);
   }
   return values;
 }

@@ -58,7 +58,7 @@ void PathIntervals::assume(NodeId condition, bool holds) {
 }
 
 std::optional<bool> PathIntervals::decide(NodeId condition) const {
-  if (condition == kTrue || condition == kFalse) return condition == kTrue;
+  if (const Interval truth = graph_->node(condition).interval; truth.single()) return truth.lo != 0;
   if (known_.size() == first_) return std::nullopt;
   const Graph::Node& node = graph_->node(condition);
   if (node.op == Op::kNot) {

@@ -202,7 +202,7 @@ ExprPtr ExpressionParser::field(Span start, ExprPtr object) {
   auto node = std::make_unique<FieldExpr>(start);
   take();
   node->object = std::move(object);
-  const bool is_number = node->object->kind == ExprKind::kLiteral && previous().kind == TokenKind::kDot;
+  const bool is_number = node->object->kind == ExprKind::kLiteral && !at(TokenKind::kInt);
   const Token& name =
       expect(TokenKind::kName, "after '.'", is_number ? "a float ends with a digit: 5.0" : "");
   node->field = name.text;
@@ -258,6 +258,10 @@ ExprPtr ExpressionParser::missing() {
       break;
     case TokenKind::kPlus:
       fail("expected an expression, found '+'", "to count up, write n += 1");
+      break;
+    case TokenKind::kStar:
+      fail("expected an expression, found '*'",
+           previous().kind == TokenKind::kStar ? "a power is written pow(x, y), or x * x" : "");
       break;
     case TokenKind::kDot:
       fail("expected an expression, found '.'",
@@ -324,7 +328,8 @@ ComprehensionClause ExpressionParser::clause() {
 std::vector<LoopVariable> ExpressionParser::loop_variables() {
   std::vector<LoopVariable> variables;
   do {
-    const Token& name = expect(TokenKind::kName, "as the loop's variable");
+    const Token& name = expect(TokenKind::kName, "as the loop's variable",
+                               at(TokenKind::kLeftParen) ? "write for i in 0..n - 1 { ... }" : "");
     if (panicking()) return variables;
     variables.push_back({name.text, name.span, 0});
   } while (accept(TokenKind::kComma));

@@ -136,6 +136,9 @@ class Lexer {
     }
     do ++at_;
     while ((static_cast<unsigned char>(peek()) & 0xC0U) == 0x80U);
+    if (text_[start_] == '?')
+      return diagnostics_.add("foreign-syntax", span(), "'?' is not used in this language",
+                              "one of two values is written: if c then a else b");
     const unsigned char first = static_cast<unsigned char>(text_[start_]);
     const std::string shown = first < 0x20 || first == 0x7F ? fmt::format("\\x{:02x}", first)
                                                             : std::string(text_.substr(start_, at_ - start_));
