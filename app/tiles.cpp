@@ -83,26 +83,29 @@ std::string name_of_map(const TilesOptions& options, std::uint64_t number) {
   return fmt::format("{}_{}", stem(options), chunk);
 }
 
-/// How a map looks: as a picture (.png), and as a scene where that was asked for or it has models or layers.
-struct Look {
-  std::string png;
-  std::optional<Scene> scene;
-};
+/// Importers choke on a node for each of a million tiles, and some know no instances.
+constexpr std::size_t kMostSingleNodes = 20'000;
 
-Look look_of(const tiles::Job& job, const Options& options, const std::string& name, AssetLibrary& assets) {
-  Look look{job.file("png", options.tiles->pixels, options.output), std::nullopt};
+Nodes nodes_of(const TilesOptions& options, std::size_t tiles) {
+  return options.nodes.value_or(tiles > kMostSingleNodes ? Nodes::kInstances : Nodes::kOneEach);
+}
+
+MapLook look_of(const tiles::Job& job, const Options& options, const std::string& name,
+                AssetLibrary& assets) {
+  const std::vector<tiles::ShownTile> tiles = job.shown_tiles();
+  MapLook look{name, job.file("png", options.tiles->pixels, options.output), std::nullopt,
+               nodes_of(*options.tiles, tiles.size())};
   const bool is_asked_for = std::ranges::count(options.tiles->formats, "glb") > 0;
   const auto has_shape = [](const tiles::ShownTile& tile) { return !tile.asset.empty() || tile.at[2] > 0; };
-  if (is_asked_for || std::ranges::any_of(job.shown_tiles(), has_shape))
-    look.scene = tiles_scene(job, name, assets);
+  if (is_asked_for || std::ranges::any_of(tiles, has_shape)) look.scene = tiles_scene(job, name, assets);
   return look;
 }
 
 /// Writes the map that is delivered, in the format that the file's name says.
-void write_map(const tiles::Job& job, const Options& options, const Look& look, const fs::path& file) {
+void write_map(const tiles::Job& job, const Options& options, const MapLook& look, const fs::path& file) {
   const std::string format = file.extension().string().substr(1);
   if (format == "glb") {
-    write_glb(*look.scene, file);
+    write_glb(*look.scene, file, look.nodes);
   } else if (format == "png") {
     write_file_atomically(file, look.png);
   } else {
@@ -139,10 +142,10 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
     const std::string name = name_of_map(*options.tiles, number);
-    const Look look = look_of(job, options, name, assets);
+    const MapLook look = look_of(job, options, name, assets);
     for (const std::string& format : options.tiles->formats)
       write_map(job, options, look, options.output / fmt::format("{}.{}", name, format));
-    page.add(job, number, name, look.png, look.scene ? &*look.scene : nullptr);
+    page.add(job, number, look);
     delivered = number;
   });
   const auto lock = watchdog.delivering();

@@ -117,6 +117,13 @@ void add_tiles_options(CLI::App& command, Options& options) {
       ->delimiter(',')
       ->check(CLI::IsMember({"txt", "png", "json", "tmx", "tmj", "vox", "glb"}));
   command
+      .add_option("--nodes", tiles_options.nodes,
+                  "how tiles become nodes of .glb files: each, or instances, for all that look alike one "
+                  "(EXT_mesh_gpu_instancing; default where a map has more than 20000 tiles)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Nodes>{{"each", Nodes::kOneEach},
+                                                                       {"instances", Nodes::kInstances}})
+                      .description("each|instances"));
+  command
       .add_option("--pixels", tiles_options.pixels, "pixels of a tile without icon in .png files (default 8)")
       ->check(CLI::Range(1, 256));
   command.add_option(

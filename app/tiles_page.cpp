@@ -60,20 +60,20 @@ Json choices_of(const std::vector<tiles::ShownTile>& tiles) {
 TilesPage::TilesPage(const Options& options, std::string stem)
     : options_(options), stem_(std::move(stem)), page_(options.output, find_data_folder() / "page") {}
 
-void TilesPage::add(const tiles::Job& job, std::uint64_t number, const std::string& name,
-                    const std::string& png, const Scene* scene) {
+void TilesPage::add(const tiles::Job& job, std::uint64_t number, const MapLook& look) {
   GalleryEntry entry;
   entry.index = number;
-  entry.name = name;
+  entry.name = look.name;
   entry.picture = has_format("png") ? entry.name + ".png" : fmt::format("page/{}.png", entry.name);
   entry.has_sharp_pixels = true;
   entry.glb = file_of(entry.name, "glb");
   entry.json = file_of(entry.name, "json");
   const std::vector<tiles::ShownTile> tiles = job.shown_tiles();
-  const Json about{{"views", {drawing_of(entry.picture, png)}}, {"choices", choices_of(tiles)}};
+  const Json about{{"views", {drawing_of(entry.picture, look.png)}}, {"choices", choices_of(tiles)}};
   const SolutionFiles files =
-      page_.add(entry.name, scene, scene != nullptr ? glb_bytes(*scene) : "", text_of(about));
-  if (!has_format("png")) write_file_atomically(options_.output / entry.picture, png);
+      look.scene ? page_.add(entry.name, &*look.scene, glb_bytes(*look.scene, look.nodes), text_of(about))
+                 : page_.add(entry.name, nullptr, "", text_of(about));
+  if (!has_format("png")) write_file_atomically(options_.output / entry.picture, look.png);
   if (tiles.size() <= kMostCompared) entry.choices = tiles.size();
   entry.facts = text_of({{"index", number}, {"script", files.script}});
   add_row(tiles);

@@ -3,14 +3,24 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/options.h"
 #include "engines/tiles/job/job.h"
+#include "scene/gltf/instances.h"
 #include "scene/page/page_files.h"
 
 namespace solitaire::app {
+
+/// How a map looks: as a picture (.png), and as a scene where that was asked for or it has models or layers.
+struct MapLook {
+  std::string name;  // of its files, without ending
+  std::string png;
+  std::optional<Scene> scene;
+  Nodes nodes;
+};
 
 /// The page of a run's maps. It shows each as a picture, and in 3D those that have models or layers, and
 /// takes the tile of a place for a choice: maps are filtered, compared and sorted by distance so.
@@ -19,10 +29,8 @@ class TilesPage {
   /// `stem` is the name of the maps' files without number and ending.
   TilesPage(const Options& options, std::string stem);
 
-  /// Puts the map that the job delivers onto the page, with the files that it has in `options.output`, its
-  /// picture (.png) and, where it shows in 3D, its scene.
-  void add(const tiles::Job& job, std::uint64_t number, const std::string& name, const std::string& png,
-           const Scene* scene);
+  /// Puts the map that the job delivers onto the page, with the files that it has in `options.output`.
+  void add(const tiles::Job& job, std::uint64_t number, const MapLook& look);
   /// Writes the page. Does nothing if there is no map.
   void close() const;
 

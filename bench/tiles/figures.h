@@ -17,6 +17,10 @@ void growing_epsilon(Report& report);    // table I
 
 // What the paper does not have.
 
+void exactness(Report& report);      // draws against enumeration
+void never_broken(Report& report);   // random problems, looked at after each window
+void marginals(Report& report);      // frequencies of fresh maps against the exemplar's
+void large_starts(Report& report);   // time, memory and growth, from 85x85 to 1000x1000
 void peers(Report& report);          // success, time and likeness beside WaveFunctionCollapse, by size
 void speed(Report& report);          // of windows
 void filling_again(Report& report);  // a part of a large map

@@ -15,7 +15,11 @@ int main(int argc, char** argv) {
                                                               {"figure-13-cities", growing_cities},
                                                               {"figure-13-facades", growing_facades},
                                                               {"table-1", growing_epsilon},
+                                                              {"exact", exactness},
+                                                              {"never-broken", never_broken},
+                                                              {"marginals", marginals},
                                                               {"speed", speed},
+                                                              {"large", large_starts},
                                                               {"refill", filling_again},
                                                               {"peers", peers}};
   Report report;

@@ -62,7 +62,7 @@ void Enumeration::draw(const Grid& map) {
   ++drawn_[map.tiles];
 }
 
-double Enumeration::chi_squared() const {
+Enumeration::Fit Enumeration::fit() const {
   double sum = 0, rare_expected = 0, rare_drawn = 0;
   std::size_t cells = 0;
   for (const auto& [tiles, probability] : probability_) {
@@ -81,7 +81,13 @@ double Enumeration::chi_squared() const {
     sum += (rare_drawn - rare_expected) * (rare_drawn - rare_expected) / rare_expected;
     ++cells;
   }
-  return sum / static_cast<double>(cells - 1);
+  return {sum, cells - 1};
+}
+
+double Enumeration::deviations() const {
+  const auto [sum, degrees] = fit();
+  const double part = 2.0 / (9 * static_cast<double>(degrees));
+  return (std::cbrt(sum / static_cast<double>(degrees)) - (1 - part)) / std::sqrt(part);
 }
 
 }  // namespace solitaire::tiles

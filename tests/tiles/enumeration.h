@@ -19,11 +19,20 @@ class Enumeration {
   void draw(const Grid& map);
   /// Returns Pearson's chi squared over its degrees of freedom. Maps that are expected fewer than five times
   /// are taken together.
-  double chi_squared() const;
+  double chi_squared() const { return fit().chi_squared / static_cast<double>(fit().degrees); }
+  /// Returns how many standard deviations Pearson's chi squared is above what is expected of draws from the
+  /// distribution: its cube root is nearly normal (Wilson and Hilferty 1931).
+  double deviations() const;
   /// Returns how many draws were no map of the problem.
   std::size_t strangers() const { return strangers_; }
 
  private:
+  struct Fit {
+    double chi_squared = 0;
+    std::size_t degrees = 0;  // of freedom
+  };
+
+  Fit fit() const;
   void extend(Grid& map, std::size_t site);
   double log_weight(const Grid& map) const;
 

@@ -1,0 +1,253 @@
+// What the engine promises, shown: exact draws, no broken pair, frequencies of the exemplar, large maps.
+#include <algorithm>
+#include <cmath>
+#include <sys/resource.h>
+
+#include "base/hash.h"
+#include "bench/tiles/figures.h"
+#include "bench/tiles/problems.h"
+#include "bench/tiles/runs.h"
+#include "engines/tiles/check/check.h"
+#include "engines/tiles/learn/divergence.h"
+#include "engines/tiles/learn/fit.h"
+#include "engines/tiles/learn/patterns.h"
+#include "engines/tiles/read/text.h"
+#include "engines/tiles/rules/connected.h"
+#include "engines/tiles/sample/frontier.h"
+#include "engines/tiles/sample/sweep.h"
+#include "tests/tiles/enumeration.h"
+
+namespace solitaire::tiles::bench {
+namespace {
+
+/// 3.09 standard deviations are exceeded once in a thousand times.
+constexpr double kMostDeviations = 3.09;
+
+std::shared_ptr<Style> style_of_text(const std::string& exemplar) {
+  auto style = std::make_shared<Style>();
+  style->exemplars.emplace_back().grid = read_text("exemplar", exemplar, style->tileset, true);
+  learn_pairs(*style);
+  return style;
+}
+
+std::shared_ptr<Style> small_streets(double factor_of_squares) {
+  const auto style = style_of_text("..|...\n##|.#.\n--+--.\n..|.|#\n.#|.|.\n--+-+-\n");
+  for (const Size& shape : {Size{{2, 2, 1}}, Size{{3, 1, 1}}}) add_step_shape(*style, shape, 0.5);
+  for (double& weight : style->shapes.front().log_weights.front()) {
+    if (weight > 0) weight += std::log(factor_of_squares);
+  }
+  return style;
+}
+
+Problem small_problem(const std::shared_ptr<Style>& style, bool connected) {
+  Problem problem(style, {{{4, 3, 1}}, {}});
+  std::vector<Sides> open(style->tileset.size(), kAllSides);
+  for (const char* wall : {"#", "."}) open[*style->tileset.find(wall)] = 0;
+  if (connected) problem.add(std::make_shared<Connected>(problem.topology(), open, "the roads"));
+  return problem;
+}
+
+/// How the windows of a sweep are cut: bands of one to three sites, or boxes of so many.
+struct Cuts {
+  std::string name;
+  int length = 0, height = 0;  // of boxes
+  bool connected = false;
+};
+
+/// Draws from a chain of windows, and returns how far the frequencies are from those of the target.
+double chain_deviations(const Problem& sampled, const Problem& target, const Cuts& cuts, std::uint64_t seed) {
+  constexpr int kDraws = 40'000, kThinning = 8;
+  Enumeration all(target);
+  RandomStream random(seed, Purpose::kTiles, 0);
+  Grid map;
+  const auto domains = consistent_domains(sampled);
+  do make_start(sampled, domains, random, StopSignal(), map);
+  while (sampled.violation(map) > 0);
+  const SweepPlan plan(sampled);
+  Frontier frontier(sampled);
+  Weights weights(sampled.style());
+  std::uint64_t sweep = 0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    for (int each = 0; each < kThinning; ++each, ++sweep) {
+      for (const auto& window : cuts.length > 0 ? plan.boxes(cuts.length, cuts.height, sweep, random)
+                                                : plan.bands(sweep, random)) {
+        const Grid before = map;
+        frontier.redraw(map, window, weights, random);
+        if (sampled.violation(map) > 0) map = before;
+      }
+    }
+    all.draw(map);
+  }
+  return all.strangers() > 0 ? INFINITY : all.deviations();
+}
+
+/// A random problem: tiles, pairs, pins, zones and rings.
+Problem random_problem(RandomStream& random) {
+  auto style = std::make_shared<Style>();
+  style->zones = 1 + random.below(2);
+  const std::uint64_t tiles = 2 + random.below(5);
+  for (std::uint64_t tile = 0; tile < tiles; ++tile) style->tileset.add({.name = std::to_string(tile)});
+  for (std::uint8_t zone = 0; zone < style->zones; ++zone) {
+    Exemplar& exemplar = style->exemplars.emplace_back();
+    exemplar.grid = Grid(Size{{4, 4, 1}});
+    for (Tile& tile : exemplar.grid.tiles) tile = static_cast<Tile>(random.below(tiles));
+    exemplar.periodic = {true, true, false};
+    exemplar.zone = zone;
+  }
+  learn_pairs(*style);
+  add_step_shape(*style, {{2, 2, 1}}, 0.5);
+  const int width = 3 + static_cast<int>(random.below(8)), height = 3 + static_cast<int>(random.below(8));
+  Problem problem(style, {{{width, height, 1}}, {random.below(3) == 0, random.below(3) == 0, false}});
+  std::vector<std::uint8_t> zones(problem.sites());
+  for (std::uint8_t& zone : zones) zone = static_cast<std::uint8_t>(random.below(style->zones));
+  problem.set_zones(std::move(zones));
+  for (std::uint64_t pin = random.below(4); pin > 0; --pin) {
+    problem.add({"a pin",
+                 {static_cast<std::uint32_t>(random.below(problem.sites()))},
+                 TileMask::of(static_cast<Tile>(random.below(tiles)))});
+  }
+  return problem;
+}
+
+/// Redraws windows of a random problem, and returns after how many of them a fault was found.
+std::size_t redraw_and_look(std::uint64_t seed, std::size_t& windows, std::size_t& without_map) {
+  RandomStream random(seed, Purpose::kTiles, 1);
+  const Problem problem = random_problem(random);
+  Grid map;
+  if (make_start(problem, consistent_domains(problem), random, StopSignal(), map) != Outcome::kFound) {
+    ++without_map;
+    return 0;
+  }
+  std::size_t broken = find_faults(problem, map, 1).size();
+  const SweepPlan plan(problem);
+  Frontier frontier(problem);
+  Weights weights(problem.style());
+  for (std::uint64_t sweep = 0; sweep < 12; ++sweep) {
+    for (const auto& window : sweep % 3 == 2 ? plan.boxes(4, 3, sweep, random) : plan.bands(sweep, random)) {
+      frontier.redraw(map, window, weights, random);
+      broken += find_faults(problem, map, 1).size();
+      ++windows;
+    }
+  }
+  return broken;
+}
+
+double share_that_differs(const std::vector<Grid>& maps) {
+  double differ = 0, all = 0;
+  for (std::size_t b = 1; b < maps.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      for (std::size_t site = 0; site < maps[a].tiles.size(); ++site) {
+        differ += maps[a][site] != maps[b][site] ? 1 : 0;
+        all += 1;
+      }
+    }
+  }
+  return differ / all;
+}
+
+/// Returns the largest relative difference of the frequency of a tile of which the exemplars have 2 % at
+/// least.
+double worst_share(const Style& style, const std::vector<Grid>& maps) {
+  std::vector<double> shares(style.tileset.size());
+  for (const Grid& map : maps) {
+    for (const Tile tile : map.tiles) shares[tile] += 1 / static_cast<double>(map.tiles.size() * maps.size());
+  }
+  double worst = 0;
+  for (std::size_t tile = 0; tile < shares.size(); ++tile) {
+    const double wanted = style.frequencies.front()[tile];
+    if (wanted >= 0.02) worst = std::max(worst, std::abs(shares[tile] / wanted - 1));
+  }
+  return worst;
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+}  // namespace
+
+void exactness(Report& report) {
+  report.figure(
+      "exact: frequencies of all streets of 4x3 against their probabilities, 40000 draws of a chain",
+      "its sampler is biased");
+  const std::vector<Cuts> kinds{
+      {"bands"}, {"boxes of 2x2", 2, 2}, {"boxes of 4x2", 4, 2}, {"connected, boxes of 3x3", 3, 3, true}};
+  const auto style = small_streets(1), wrong = small_streets(1.05);
+  for (const Cuts& cuts : kinds) {
+    const Problem problem = small_problem(style, cuts.connected);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const double deviations = chain_deviations(problem, problem, cuts, seed);
+      report.must(
+          fmt::format("{}, seed {}: {:.1f} standard deviations, less than 3.09", cuts.name, seed, deviations),
+          deviations < kMostDeviations);
+    }
+  }
+  const double found_out =
+      chain_deviations(small_problem(wrong, false), small_problem(style, false), kinds.front(), 1);
+  report.must(fmt::format("a sampler whose squares are worth 5 % more is found out: {:.1f}", found_out),
+              found_out > kMostDeviations);
+  const Problem problem = small_problem(style, false);
+  Enumeration all(problem);
+  for (const Grid& map : run(problem, options_of(SamplerKind::kBlockSs, 5), 4000).maps) all.draw(map);
+  report.line(fmt::format("BlockSS, 4000 maps: {:.1f} standard deviations", all.deviations()));
+}
+
+void never_broken(Report& report) {
+  report.figure("never-broken: random tiles, pins, zones and rings; the checker looks after each window",
+                "unmet patterns are returned");
+  std::size_t windows = 0, broken = 0, without_map = 0;
+  for (std::uint64_t seed = 0; windows < 1'000'000; ++seed)
+    broken += redraw_and_look(seed, windows, without_map);
+  report.line(fmt::format("{} windows; {} problems have no map", windows, without_map));
+  report.must(fmt::format("{} faults", broken), broken == 0);
+}
+
+void marginals(Report& report) {
+  report.figure("marginals: ten fresh suburbs of 40x40 against the exemplar", "BlockSS, measured here");
+  const auto hard = style_named(kSuburb), style = style_named(kSuburb);
+  fit_weights(*style, default_shapes(*style), 1, StopSignal());
+  const std::vector<Grid> maps = run(Problem(style, {{{40, 40, 1}}, {}}), SamplerOptions(), 10).maps;
+  const std::vector<Grid> blocks =
+      run(Problem(hard, {{{40, 40, 1}}, {}}), options_of(SamplerKind::kBlockSs), 10).maps;
+  const double worst = worst_share(*style, maps), fours = shannon_of_fours(*style, maps);
+  const double pairs = (divergence(*style, maps, {{2, 1, 1}}).kullback_leibler +
+                        divergence(*style, maps, {{1, 2, 1}}).kullback_leibler) /
+                       2;
+  report.line(
+      fmt::format("shares of tiles within {:.0f} %, KL of pairs {:.3f}, JS of fours {:.3f}, {:.2f} differ",
+                  100 * worst, pairs, fours, share_that_differs(maps)));
+  report.must("shares within 10 %", worst <= 0.1);
+  report.must("KL of pairs up to .03", pairs <= 0.03);
+  report.must("JS of fours up to .17", fours <= 0.17);
+  report.must("0.6 of two maps' tiles differ", share_that_differs(maps) >= 0.6);
+  if (blocks.empty()) return report.line("BlockSS makes none of ten");
+  report.must(fmt::format("JS below that of BlockSS, {:.3f}", shannon_of_fours(*hard, blocks)),
+              fours < shannon_of_fours(*hard, blocks));
+}
+
+void large_starts(Report& report) {
+  report.figure("large: starts of cities, time and memory", "170x170 in 5 min");
+  const auto style = style_named(kSuburb);
+  SamplerOptions start;
+  start.anneal = start.sweeps = 0;
+  std::vector<double> each;
+  for (const int side : {85, 170, 340, 1000}) {
+    const double before = processor_seconds();
+    const Runs runs = run(city(style, side), start, 1);
+    const double seconds = processor_seconds() - before;
+    each.push_back(1e6 * seconds / (side * side));
+    report.line(fmt::format("{0}x{0}: {1:.2f} s, {2:.2f} us a site, {3:.0f} MB at the most so far", side,
+                            seconds, each.back(), peak_megabytes()));
+    if (side == 170) report.must("170x170 in 0.2 s", seconds <= 0.2);
+    if (side == 170) report.must("170x170 in 60 MB", peak_megabytes() <= 60);
+    if (side == 1000) report.must("1000x1000 in 5 s", seconds <= 5);
+    if (side == 1000) report.must("1000x1000 in 150 MB", peak_megabytes() <= 150);
+  }
+  const auto [least, most] = std::minmax_element(each.begin(), each.end());
+  report.line(
+      fmt::format("a site costs {:.0f} % more at the most than at the least", 100 * (*most / *least - 1)));
+}
+
+}  // namespace solitaire::tiles::bench
