@@ -158,6 +158,9 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
 
 ExitStatus run_tiles(const Options& options, Watchdog& watchdog) {
   tiles::Job job(options.tiles->job, [] { return stop_source().token().stopped(); });
+  if (!options.quiet) {
+    for (const std::string& note : job.notes()) tell("note: " + note + "\n");
+  }
   if (!options.tiles->checked.empty()) return check_map(job, options.tiles->checked);
   if (options.tiles->explained) return explain_maps(job);
   if (options.tiles->counted) return count_maps(job);

@@ -62,6 +62,14 @@ void add_learning_options(CLI::App& command, tiles::JobOptions& options) {
   command.add_option("--tile", options.tile_side, "pixels along a side of a tile in PNG files (default 1)")
       ->check(CLI::Range(1, 1024));
   command
+      .add_option_function<std::string>(
+          "--symmetry",
+          [&options](const std::string& name) { options.symmetry = tiles::symmetry_named(name); },
+          "exemplars count in these orientations, too: mirror (left to right), 4 (turned), or 8 (turned "
+          "and mirrored); a tile without such an image leaves a hole (default none)")
+      ->check(CLI::IsMember({"none", "mirror", "4", "8"}))
+      ->type_name("none|mirror|4|8");
+  command
       .add_option(
           "--weights", options.weights,
           "fitted (default): patches become about as frequent as in the exemplars; step: a patch that an "
@@ -104,6 +112,7 @@ void add_tiles_options(CLI::App& command, Options& options) {
           "exemplars", job.inputs,
           "small maps to learn from (.txt, .png, .json, .tmx, .tmj, .vox), or a problem file (.tiles.json)")
       ->required();
+  command.add_flag("--debroglie", job.debroglie, "the file is a configuration of DeBroglie (.json)");
   add_map_options(command, job);
   add_learning_options(command, job);
   add_sampler_options(command, job);

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "engines/tiles/request/build.h"
 #include "engines/tiles/request/read_inputs.h"
+#include "engines/tiles/request/read_style.h"
+#include "engines/tiles/request/request_error.h"
 
 namespace solitaire::api {
 namespace {

@@ -86,7 +86,7 @@ Problem random_problem(RandomStream& random) {
   auto style = std::make_shared<Style>();
   style->zones = 1 + random.below(2);
   const std::uint64_t tiles = 2 + random.below(5);
-  for (std::uint64_t tile = 0; tile < tiles; ++tile) style->tileset.add({.name = std::to_string(tile)});
+  for (std::uint64_t tile = 0; tile < tiles; ++tile) style->tileset.add(empty_kind(std::to_string(tile)));
   for (std::uint8_t zone = 0; zone < style->zones; ++zone) {
     Exemplar& exemplar = style->exemplars.emplace_back();
     exemplar.grid = Grid(Size{{4, 4, 1}});

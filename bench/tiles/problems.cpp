@@ -4,7 +4,7 @@
 
 #include "engines/tiles/learn/divergence.h"
 #include "engines/tiles/learn/patterns.h"
-#include "engines/tiles/request/build.h"
+#include "engines/tiles/request/read_style.h"
 
 namespace solitaire::tiles::bench {
 namespace {

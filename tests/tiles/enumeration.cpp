@@ -15,7 +15,7 @@ Enumeration::Enumeration(const Problem& problem) : problem_(problem) {
 void Enumeration::extend(Grid& map, std::size_t site) {
   const Topology& topology = problem_.topology();
   if (site == map.tiles.size()) {
-    if (problem_.violation(map) == 0) probability_.emplace(map.tiles, std::exp(log_weight(map)));
+    if (problem_.violation(map) == 0) probability_.emplace(key(map), std::exp(log_weight(map)));
     return;
   }
   const Point at = map.size.point(site);
@@ -58,8 +58,8 @@ double Enumeration::log_weight(const Grid& map) const {
 
 void Enumeration::draw(const Grid& map) {
   ++draws_;
-  if (!probability_.contains(map.tiles)) ++strangers_;
-  ++drawn_[map.tiles];
+  if (!probability_.contains(key(map))) ++strangers_;
+  ++drawn_[key(map)];
 }
 
 Enumeration::Fit Enumeration::fit() const {

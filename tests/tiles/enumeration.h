@@ -1,6 +1,6 @@
 #pragma once
 #include <map>
-#include <vector>
+#include <string>
 
 #include "engines/tiles/model/problem.h"
 
@@ -13,7 +13,7 @@ class Enumeration {
   explicit Enumeration(const Problem& problem);
 
   std::size_t size() const { return probability_.size(); }
-  const std::map<std::vector<Tile>, double>& probability() const { return probability_; }
+  const std::map<std::string, double>& probability() const { return probability_; }
 
   /// Counts draws, for a test of them against the probabilities.
   void draw(const Grid& map);
@@ -32,13 +32,14 @@ class Enumeration {
     std::size_t degrees = 0;  // of freedom
   };
 
+  static std::string key(const Grid& map) { return {map.tiles.begin(), map.tiles.end()}; }
   Fit fit() const;
   void extend(Grid& map, std::size_t site);
   double log_weight(const Grid& map) const;
 
   const Problem& problem_;
-  std::map<std::vector<Tile>, double> probability_;
-  std::map<std::vector<Tile>, std::size_t> drawn_;
+  std::map<std::string, double> probability_;  // by the bytes of the tiles
+  std::map<std::string, std::size_t> drawn_;
   std::size_t draws_ = 0, strangers_ = 0;
 };
 

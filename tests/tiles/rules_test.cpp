@@ -79,7 +79,8 @@ TEST_CASE("halves unfold to exactly the maps that are their own mirror images") 
     const Mirror mirror(whole, 0, partners);
     std::set<std::vector<Tile>> mirrored, unfolded;
     const Enumeration of_whole(whole), of_half(mirror.half());
-    for (const auto& [tiles, probability] : of_whole.probability()) {
+    for (const auto& [bytes, probability] : of_whole.probability()) {
+      const std::vector<Tile> tiles(bytes.begin(), bytes.end());
       bool same = true;
       for (std::size_t site = 0; site < tiles.size(); ++site) {
         const Point at = whole.size().point(site);
@@ -87,9 +88,9 @@ TEST_CASE("halves unfold to exactly the maps that are their own mirror images") 
       }
       if (same) mirrored.insert(tiles);
     }
-    for (const auto& [tiles, probability] : of_half.probability()) {
+    for (const auto& [bytes, probability] : of_half.probability()) {
       Grid half(mirror.half().size());
-      half.tiles = tiles;
+      half.tiles.assign(bytes.begin(), bytes.end());
       unfolded.insert(mirror.unfold(half).tiles);
     }
     CHECK(mirrored.size() > 3);

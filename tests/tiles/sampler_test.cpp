@@ -6,6 +6,7 @@
 #include "engines/tiles/learn/divergence.h"
 #include "engines/tiles/learn/fit.h"
 #include "engines/tiles/request/build.h"
+#include "engines/tiles/request/read_style.h"
 #include "engines/tiles/request/request_file.h"
 #include "engines/tiles/rules/connected.h"
 #include "engines/tiles/rules/tile_count.h"

@@ -6,7 +6,7 @@
 #include <zlib.h>
 
 #include "base/file_error.h"
-#include "engines/tiles/request/build.h"
+#include "engines/tiles/request/read_style.h"
 #include "engines/tiles/tiled/tileset_files.h"
 #include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/png.h"

@@ -54,9 +54,22 @@ void add_labelled_pairs(const Style& style, std::set<Pair>& pairs) {
   }
 }
 
+void add_listed_pairs(const Style& style, std::set<Pair>& pairs) {
+  const auto tiles = static_cast<Tile>(style.tileset.size());
+  for (const ListedPairs& listed : style.listed) {
+    for (Tile a = 0; a < tiles; ++a) {
+      for (Tile b = 0; b < tiles; ++b) {
+        if (!listed.first.contains(a) || !listed.second.contains(b)) continue;
+        for (std::size_t zone = 0; zone < style.zones; ++zone) pairs.emplace(zone, listed.axis, a, b);
+      }
+    }
+  }
+}
+
 std::set<Pair> pairs_of(const Style& style) {
   std::set<Pair> allowed, forbidden;
   add_labelled_pairs(style, allowed);
+  add_listed_pairs(style, allowed);
   for (const Exemplar& exemplar : style.exemplars) {
     if (!exemplar.negative && !style.learns_from_exemplars) continue;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

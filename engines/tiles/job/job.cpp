@@ -20,6 +20,7 @@
 #include "engines/tiles/read/png.h"
 #include "engines/tiles/request/build.h"
 #include "engines/tiles/request/read_inputs.h"
+#include "engines/tiles/request/read_style.h"
 #include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/json.h"
 #include "engines/tiles/write/png.h"
@@ -40,16 +41,21 @@ struct StopAtEnd {
 
 /// Returns the request of the problem file and the options together.
 Request full_request(const JobOptions& options) {
-  Request request = read_inputs(options.inputs);
+  Request request = read_inputs(options.inputs, options.debroglie);
   request.size = {options.width.value_or(request.size[0]), options.height.value_or(request.size[1]),
                   options.depth.value_or(request.size[2])};
   request.periodic[0] = request.periodic[0] || options.periodic_x;
   request.periodic[1] = request.periodic[1] || options.periodic_y;
-  request.tile_side = options.tile_side.value_or(request.tile_side);
+  if (options.tile_side) request.tile_side = options.tile_side;
+  request.symmetry = options.symmetry.value_or(request.symmetry);
   request.weights = options.weights.value_or(request.weights);
-  for (const std::string& pin : options.pins) request.pins.push_back(parse_pin(pin));
+  for (const std::string& pin : options.pins) {
+    request.pins.push_back(parse_pin(pin));
+    request.pins.back().where = "--pin " + pin;
+  }
   for (const auto& map : options.pin_maps) request.pin_maps.push_back(map);
-  for (const std::string& names : options.connected) request.connected.push_back({split(names, ','), {}, {}});
+  for (const std::string& names : options.connected)
+    request.connected.push_back({split(names, ','), {}, {}, "--connected " + names});
   return request;
 }
 
@@ -118,7 +124,7 @@ struct Job::State {
         style(read_style(request)),
         problem(make_problem(request, style)),
         maker(request, style, problem, options.sampling, chunks_of(options, problem.size())) {
-    keep_rest(options, request.tile_side, problem);
+    keep_rest(options, request.side_of_tiles(), problem);
     if (!options.chunks.empty()) options.maps = options.chunks.size();
   }
 
@@ -205,7 +211,7 @@ Job::~Job() = default;
 std::vector<std::string> Job::check(const std::filesystem::path& file) const {
   state_->require_one_problem();
   Tileset tileset = state_->style->tileset;
-  return find_faults(state_->problem, read_exemplar(file, state_->request.tile_side, tileset, false));
+  return find_faults(state_->problem, read_exemplar(file, state_->request.side_of_tiles(), tileset, false));
 }
 
 std::optional<std::string> Job::count() const {
@@ -218,6 +224,20 @@ std::optional<std::vector<std::string>> Job::explain() const {
   const auto reason = state_->attended([this] { return explain_no_map(state_->problem, state_->stop); });
   if (!reason) return std::nullopt;
   return reason->rules;
+}
+
+std::vector<std::string> Job::notes() const {
+  std::vector<std::string> notes = state_->request.notes;
+  if (state_->request.tile_side || state_->options.debroglie) return notes;
+  for (const Exemplar& exemplar : state_->style->exemplars) {
+    if (!exemplar.name.ends_with(".png")) continue;
+    notes.push_back(
+        fmt::format("{}: each of its pixels is a tile, which makes {} tiles of {} kinds; if tiles are "
+                    "squares of N pixels, say --tile N",
+                    exemplar.name, size_text(exemplar.grid.size), state_->style->tileset.size()));
+    break;
+  }
+  return notes;
 }
 
 std::vector<std::string> Job::warnings() const { return tiles_that_need_a_border(state_->problem); }

@@ -49,6 +49,8 @@ class Job {
   /// Returns why there is no map, a rule a line; nothing if there is one. Without a line there is no map of
   /// this size at all. Throws Interrupted.
   std::optional<std::vector<std::string>> explain() const;
+  /// Returns what whoever asks should know about how the request was understood.
+  std::vector<std::string> notes() const;
   /// Returns what should be known about the exemplars.
   std::vector<std::string> warnings() const;
 

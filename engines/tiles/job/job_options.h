@@ -13,9 +13,11 @@ namespace solitaire::tiles {
 /// What somebody asks for in a few words, above what a problem file says.
 struct JobOptions {
   std::vector<std::string> inputs;  // exemplars, or one problem file (.tiles.json)
+  bool debroglie = false;           // the input is a configuration file of DeBroglie
   std::optional<int> width, height, depth;
   bool periodic_x = false, periodic_y = false;
   std::optional<int> tile_side;
+  std::optional<SymmetryGroup> symmetry;  // of exemplars
   std::optional<WeightsKind> weights;
   std::vector<std::string> pins;       // X,Y=TILE or X,Y:X,Y=TILE|TILE
   std::vector<std::string> connected;  // TILE,TILE

@@ -32,6 +32,14 @@ void for_each_pair(const Exemplar& exemplar, Visit visit) {
   });
 }
 
+void allow_listed_pairs(const std::vector<ListedPairs>& listed, PairRules& rules) {
+  for (const ListedPairs& pairs : listed) {
+    pairs.first.for_each([&](Tile first) {
+      pairs.second.for_each([&](Tile second) { rules.allow(pairs.axis, first, second); });
+    });
+  }
+}
+
 void learn_frequencies(Style& style) {
   style.frequencies.assign(style.zones, std::vector<double>(style.tileset.size()));
   for (const Exemplar& exemplar : style.exemplars) {
@@ -93,7 +101,10 @@ PatchCounts count_patches(const Style& style, std::size_t zone, const PatchIndex
 
 void learn_pairs(Style& style) {
   style.pairs.assign(style.zones, PairRules(style.tileset.size()));
-  for (PairRules& rules : style.pairs) allow_labelled_pairs(style.tileset, rules);
+  for (PairRules& rules : style.pairs) {
+    allow_labelled_pairs(style.tileset, rules);
+    allow_listed_pairs(style.listed, rules);
+  }
   for (const bool negative : {false, true}) {
     for (const Exemplar& exemplar : style.exemplars) {
       if (exemplar.negative != negative || !(negative || style.learns_from_exemplars)) continue;

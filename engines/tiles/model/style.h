@@ -6,6 +6,7 @@
 #include "engines/tiles/model/grid.h"
 #include "engines/tiles/model/pair_rules.h"
 #include "engines/tiles/model/patch_index.h"
+#include "engines/tiles/model/tile_mask.h"
 #include "engines/tiles/model/tileset.h"
 
 namespace solitaire::tiles {
@@ -33,11 +34,18 @@ struct SoftShape {
   double log_weight(ZoneSet zones, std::uint32_t patch) const;
 };
 
+/// Any of the tiles `first` may be before any of `second` along an axis, in all zones: a rule of its author.
+struct ListedPairs {
+  std::size_t axis = 0;
+  TileMask first, second;
+};
+
 /// What was learned of exemplars: whatever is the same for maps of all sizes.
 struct Style {
   Tileset tileset;
   std::vector<Exemplar> exemplars;
   bool learns_from_exemplars = true;  // their pairs are allowed; else only those whose labels meet
+  std::vector<ListedPairs> listed;
   std::size_t zones = 1;
   std::vector<PairRules> pairs;  // by zone; across zones a pair is allowed that one of them allows
   std::vector<SoftShape> shapes;

@@ -50,6 +50,12 @@ class TileMask {
     }
   }
 
+  /// Returns the tiles of this set that another one does not have.
+  TileMask without(const TileMask& other) const {
+    TileMask rest = *this;
+    for (std::size_t word = 0; word < words_.size(); ++word) rest.words_[word] &= ~other.words_[word];
+    return rest;
+  }
   TileMask& operator&=(const TileMask& other) {
     for (std::size_t word = 0; word < words_.size(); ++word) words_[word] &= other.words_[word];
     return *this;

@@ -5,6 +5,13 @@
 
 namespace solitaire::tiles {
 
+TileKind empty_kind(const std::string& name) {
+  TileKind kind;
+  kind.name = name;
+  kind.height = 0;
+  return kind;
+}
+
 Tile Tileset::add(TileKind kind) {
   if (kinds_.size() == kMostTiles) {
     throw std::length_error(fmt::format("there are more than {} different tiles", kMostTiles));

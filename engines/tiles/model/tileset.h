@@ -33,8 +33,15 @@ struct TileKind {
   /// The labels of its sides in the order of Sides, read clockwise; without any it has none. Two tiles may be
   /// beside each other where their sides have labels that meet.
   std::array<std::string, 2 * kAxes> edges;
-  double height = 1;  // of the box, in sides of a tile; 0: scenes show nothing
+  double height = 1;    // of the box, in sides of a tile; 0: scenes show nothing
+  bool rotates = true;  // else exemplars that are turned or mirrored have a hole in its place
+  /// The name of the tile that it is after a quarter turn, clockwise, and of its mirror image, left to right;
+  /// empty: the one that looks so.
+  std::string turned = "", mirrored = "";
 };
+
+/// Returns a tile that shows nothing.
+TileKind empty_kind(const std::string& name);
 
 /// The tiles of a style, at most kMostTiles.
 class Tileset {

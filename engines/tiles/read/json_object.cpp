@@ -101,6 +101,10 @@ std::string JsonObject::way(const char* member) const {
   return where_.empty() ? member : fmt::format("{}.{}", where_, member);
 }
 
+std::string JsonObject::where() const {
+  return where_.empty() ? *file_ : fmt::format("{}: '{}'", *file_, where_);
+}
+
 void JsonObject::fail(const char* member, const std::string& reason) const {
   throw FileError(*file_, fmt::format("'{}' {}", way(member), reason));
 }

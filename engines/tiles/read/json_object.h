@@ -34,6 +34,10 @@ class JsonObject {
   /// Returns a member's way, for messages.
   std::string way(const char* member) const;
 
+  const std::string& file() const { return *file_; }
+  /// Returns the file and the way to the object, for messages: "town.tiles.json: 'pins[2]'".
+  std::string where() const;
+
   [[noreturn]] void fail(const char* member, const std::string& reason) const;
   /// Throws FileError if there is a member that nobody asked for.
   void require_no_more() const;

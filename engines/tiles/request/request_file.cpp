@@ -48,6 +48,8 @@ class RequestReader {
     for (JsonObject& each : file.objects("pins")) read_pin(each);
     for (JsonObject& each : file.objects("borders")) read_border(each);
     for (JsonObject& each : file.objects("connected")) read_connected(each);
+    for (JsonObject& each : file.objects("acyclic")) read_acyclic(each);
+    for (JsonObject& each : file.objects("adjacencies")) read_adjacency(each);
     for (JsonObject& each : file.objects("counts")) read_count(each);
     for (JsonObject& each : file.objects("runs")) read_run(each);
     for (JsonObject& each : file.objects("distances")) read_distance(each);
@@ -70,15 +72,22 @@ class RequestReader {
     return folder_ / relative;
   }
 
+  /// A place in the picture of icons, or a file of its own.
+  void read_icon(JsonObject& object, TileEntry& tile) const {
+    if (object.at("icon").is_string()) {
+      tile.icon_file = path(object, "icon");
+      return;
+    }
+    const std::vector<int> place = object.numbers("icon", 0, 2, 2);
+    tile.icon = {place[0], place[1]};
+  }
+
   void read_tile(JsonObject& object) {
     TileEntry tile;
     tile.name = object.text("name");
     tile.text = object.text_or("char", "");
     if (object.has("color")) tile.color = color_of(object, "color");
-    if (object.has("icon")) {
-      const std::vector<int> place = object.numbers("icon", 0, 2, 2);
-      tile.icon = {place[0], place[1]};
-    }
+    if (object.has("icon")) read_icon(object, tile);
     if (object.has("bias")) tile.bias = object.real("bias", 1e-6, 1e6);
     if (object.has("voxel")) tile.voxel = static_cast<std::uint8_t>(object.number("voxel", 0, 255));
     if (object.has("asset")) tile.asset = object.text("asset");
@@ -86,6 +95,10 @@ class RequestReader {
     if (object.has("edges")) tile.edges = pairs_of_texts(object, "edges", "sides and their labels");
     tile.symmetry = object.text_or("symmetry", "");
     if (object.has("height")) tile.height = object.real("height", 0, 1000);
+    tile.rotates = !object.has("rotate") || object.flag("rotate");
+    tile.turned = object.text_or("turned", "");
+    tile.mirrored = object.text_or("mirrored", "");
+    tile.where = object.where();
     object.require_no_more();
     request_.tiles.push_back(std::move(tile));
   }
@@ -101,7 +114,8 @@ class RequestReader {
       entry.file = path(object, "file");
       entry.zone = object.text_or("zone", "");
       entry.negative = object.flag("negative");
-      entry.periodic = object.flag("periodic");
+      if (object.has("periodic")) entry.periodic = axes_of(object, "periodic");
+      entry.empty = object.text_or("empty", "");
       object.require_no_more();
       request_.exemplars.push_back(std::move(entry));
     }
@@ -121,16 +135,26 @@ class RequestReader {
     return axis;
   }
 
+  /// Reads a list of axes, or true for all of them.
+  static std::array<bool, kAxes> axes_of(JsonObject& object, const char* member) {
+    std::array<bool, kAxes> axes{};
+    if (object.at(member).is_boolean()) {
+      axes.fill(object.flag(member));
+      return axes;
+    }
+    for (const std::string& axis : object.texts(member)) axes[axis_of(object, member, axis)] = true;
+    return axes;
+  }
+
   void read_map(JsonObject& file) {
     if (file.has("size")) request_.size = point_of(file.numbers("size", 1, 2, 3), 1);
-    if (!file.has("periodic")) return;
-    for (const std::string& axis : file.texts("periodic"))
-      request_.periodic[axis_of(file, "periodic", axis)] = true;
+    if (file.has("periodic")) request_.periodic = axes_of(file, "periodic");
   }
 
   void read_weights(JsonObject& file) {
     read_kind_of_weights(file);
     read_pairs(file);
+    if (file.has("symmetry")) read_symmetry(file);
     if (file.has("epsilon")) request_.epsilon = file.real("epsilon", 0, 1000);
     if (!file.has("shapes")) return;
     const auto& list = file.at("shapes");
@@ -153,6 +177,12 @@ class RequestReader {
     request_.weights_file = path(file, "weights");
   }
 
+  void read_symmetry(JsonObject& file) {
+    const auto group = symmetry_named(file.text("symmetry"));
+    if (!group) file.fail("symmetry", "is none of \"none\", \"mirror\", \"4\" and \"8\"");
+    request_.symmetry = *group;
+  }
+
   void read_pairs(JsonObject& file) {
     if (!file.has("pairs")) return;
     const std::string from = file.text("pairs");
@@ -169,13 +199,19 @@ class RequestReader {
     const Point size = object.has("size") ? point_of(object.numbers("size", 1, 2, 3), 1) : Point{1, 1, 1};
     for (std::size_t axis = 0; axis < kAxes; ++axis) pin.to[axis] = pin.from[axis] + size[axis];
     pin.tiles = object.texts("tiles");
+    pin.where = object.where();
     object.require_no_more();
     request_.pins.push_back(std::move(pin));
   }
 
   void read_border(JsonObject& object) {
-    request_.borders.push_back({object.text("side"), object.texts("tiles")});
+    BorderEntry border{object.texts("side"), object.texts("tiles")};
+    if (object.has("except")) border.except = object.texts("except");
+    border.inside = object.flag("inside");
+    border.forbidden = object.flag("forbid");
+    border.where = object.where();
     object.require_no_more();
+    request_.borders.push_back(std::move(border));
   }
 
   /// Reads the tiles of a network, and which of their sides are open.
@@ -184,6 +220,7 @@ class RequestReader {
     if (object.has("tiles")) entry.tiles = object.texts("tiles");
     if (object.has("open")) entry.open = pairs_of_texts(object, "open", "tiles and their open sides");
     if (object.has("edges")) entry.edges = object.texts("edges");
+    entry.where = object.where();
     return entry;
   }
 
@@ -206,11 +243,32 @@ class RequestReader {
     object.require_no_more();
   }
 
+  void read_acyclic(JsonObject& object) {
+    request_.acyclic.push_back(network_of(object));
+    object.require_no_more();
+  }
+
+  /// {"left", "right"}, {"top", "bottom"} or {"below", "above"}: any of the one list before any of the other.
+  void read_adjacency(JsonObject& object) {
+    static constexpr std::array<std::array<const char*, 2>, kAxes> kSides{
+        {{"left", "right"}, {"top", "bottom"}, {"below", "above"}}};
+    AdjacencyEntry entry;
+    while (entry.axis + 1 < kAxes && !object.has(kSides.at(entry.axis)[0]) &&
+           !object.has(kSides.at(entry.axis)[1]))
+      ++entry.axis;
+    entry.first = object.texts(kSides.at(entry.axis)[0]);
+    entry.second = object.texts(kSides.at(entry.axis)[1]);
+    entry.where = object.where();
+    object.require_no_more();
+    request_.adjacencies.push_back(std::move(entry));
+  }
+
   void read_run(JsonObject& object) {
     RunEntry run;
     run.tiles = object.texts("tiles");
     run.most = static_cast<std::uint64_t>(object.number("most", 0, INT32_MAX));
     if (object.has("axis")) run.axis = axis_of(object, "axis", object.text("axis"));
+    run.where = object.where();
     object.require_no_more();
     request_.runs.push_back(std::move(run));
   }
@@ -218,7 +276,9 @@ class RequestReader {
   void read_distance(JsonObject& object) {
     DistanceEntry distance;
     distance.tiles = object.texts("tiles");
+    if (object.has("others")) distance.others = object.texts("others");
     distance.least = static_cast<int>(object.number("least", 1, 1 << 20));
+    distance.where = object.where();
     object.require_no_more();
     request_.distances.push_back(std::move(distance));
   }
@@ -228,6 +288,7 @@ class RequestReader {
     path.from = point_of(object.numbers("from", 0, 2, 3), 0);
     path.to = point_of(object.numbers("to", 0, 2, 3), 0);
     path.over = network_of(object);
+    path.where = object.where();
     object.require_no_more();
     request_.paths.push_back(std::move(path));
   }
@@ -237,6 +298,7 @@ class RequestReader {
     keys.from = point_of(object.numbers("from", 0, 2, 3), 0);
     keys.over = network_of(object);
     keys.doors = pairs_of_texts(object, "doors", "doors and their keys");
+    keys.where = object.where();
     object.require_no_more();
     request_.keys.push_back(std::move(keys));
   }
@@ -246,6 +308,7 @@ class RequestReader {
     mirror.axis = axis_of(object, "axis", object.text("axis"));
     if (object.has("partners"))
       mirror.partners = pairs_of_texts(object, "partners", "tiles and their mirror images");
+    mirror.where = object.where();
     object.require_no_more();
     request_.mirror = std::move(mirror);
   }
@@ -255,6 +318,7 @@ class RequestReader {
     entry.tiles = object.texts("tiles");
     if (object.has("least")) entry.least = static_cast<std::uint64_t>(object.number("least", 0, INT64_MAX));
     if (object.has("most")) entry.most = static_cast<std::uint64_t>(object.number("most", 0, INT64_MAX));
+    entry.where = object.where();
     object.require_no_more();
     request_.counts.push_back(std::move(entry));
   }

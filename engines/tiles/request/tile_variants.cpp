@@ -5,6 +5,7 @@
 
 #include "engines/tiles/model/edge_label.h"
 #include "engines/tiles/request/request_error.h"
+#include "engines/tiles/tiled/gid_flags.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -28,27 +29,18 @@ Picture mirrored(const Picture& icon) {
   return result;
 }
 
-/// Returns the tile turned by a quarter, clockwise: what was on top is at the right.
-TileKind turned(const TileKind& kind) {
-  TileKind result = kind;
-  result.icon = turned(kind.icon);
-  result.edges[kRight] = kind.edges[kTop];
-  result.edges[kBottom] = kind.edges[kRight];
-  result.edges[kLeft] = kind.edges[kBottom];
-  result.edges[kTop] = kind.edges[kLeft];
-  result.turn = (kind.turn + 3) % 4;
-  return result;
+/// Gives a tile of Tiled another gid, and the letters of its flags at the end of its name.
+void set_gid(std::uint32_t gid, TileKind& kind) {
+  if (!kind.gid) return;
+  const std::size_t letters = flag_letters(*kind.gid).size();
+  kind.name = kind.name.substr(0, kind.name.size() - letters) + flag_letters(gid);
+  kind.gid = gid;
 }
 
-TileKind mirrored(const TileKind& kind) {
-  if (!kind.asset.empty()) {
-    throw RequestError(fmt::format("the model of '{}' cannot be mirrored; give it no symmetry F", kind.name));
-  }
-  TileKind result = kind;
-  result.icon = mirrored(kind.icon);
-  std::swap(result.edges[kRight], result.edges[kLeft]);
-  for (std::string& label : result.edges) label = reversed_label(label);
-  return result;
+/// Says of each of several turned tiles which one it is after a further quarter.
+void chain(std::vector<TileKind>& variants, std::size_t first, std::size_t turns) {
+  for (std::size_t turn = 0; turn < turns; ++turn)
+    variants[first + turn].turned = variants[first + (turn + 1) % turns].name;
 }
 
 void add_turns(const TileKind& kind, int turns, const std::string& prefix, std::vector<TileKind>& variants) {
@@ -57,12 +49,33 @@ void add_turns(const TileKind& kind, int turns, const std::string& prefix, std::
     next.name = kind.name + prefix + (turn > 0 ? std::to_string(90 * turn) : "");
     variants.push_back(next);
     variants.back().bias = kind.bias;
-    next = turned(next);
+    next = turned_kind(next);
     next.text.clear();  // a character stands for one tile
   }
 }
 
 }  // namespace
+
+TileKind turned_kind(const TileKind& kind) {
+  TileKind result = kind;
+  result.icon = turned(kind.icon);
+  result.edges[kRight] = kind.edges[kTop];
+  result.edges[kBottom] = kind.edges[kRight];
+  result.edges[kLeft] = kind.edges[kBottom];
+  result.edges[kTop] = kind.edges[kLeft];
+  result.turn = (kind.turn + 3) % 4;
+  set_gid(turned_gid(kind.gid.value_or(0)), result);
+  return result;
+}
+
+TileKind mirrored_kind(const TileKind& kind) {
+  TileKind result = kind;
+  result.icon = mirrored(kind.icon);
+  std::swap(result.edges[kRight], result.edges[kLeft]);
+  for (std::string& label : result.edges) label = reversed_label(label);
+  set_gid(mirrored_gid(kind.gid.value_or(0)), result);
+  return result;
+}
 
 std::vector<TileKind> variants_of(const TileKind& kind, const std::string& symmetry) {
   static const std::string kLetters = "XI\\TLF";
@@ -76,10 +89,19 @@ std::vector<TileKind> variants_of(const TileKind& kind, const std::string& symme
   }
   add_turns(kind, kTurns[letter], "!", variants);
   variants.front().name = kind.name;
+  chain(variants, 0, variants.size());
+  if (symmetry == "X" || symmetry == "I") {
+    for (TileKind& each : variants) each.mirrored = each.name;
+  }
   if (symmetry == "F") {
-    TileKind image = mirrored(kind);
+    if (!kind.asset.empty()) {
+      throw RequestError(
+          fmt::format("the model of '{}' cannot be mirrored; give it no symmetry F", kind.name));
+    }
+    TileKind image = mirrored_kind(kind);
     image.text.clear();
     add_turns(image, 4, "!x", variants);
+    chain(variants, 4, 4);
   }
   return variants;
 }

@@ -18,10 +18,27 @@ class Distance : public GlobalRule {
   std::string text() const override { return text_; }
 
  private:
-  int steps_between(const Point& a, const Point& b) const;
-
   Topology topology_;
   TileMask tiles_;
+  int least_;
+  std::string text_;
+};
+
+/// Any tile of a set is at least so many steps from any of another set; a tile of both is not compared with
+/// itself.
+class PairDistance : public GlobalRule {
+ public:
+  PairDistance(const Topology& topology, const TileMask& tiles, const TileMask& others, int least,
+               std::string text)
+      : topology_(topology), tiles_(tiles), others_(others), least_(least), text_(std::move(text)) {}
+
+  /// Returns how many pairs are too near.
+  std::uint64_t violation(const Grid& map) const override;
+  std::string text() const override { return text_; }
+
+ private:
+  Topology topology_;
+  TileMask tiles_, others_;
   int least_;
   std::string text_;
 };

@@ -10,13 +10,6 @@
 
 namespace solitaire::tiles {
 
-/// The bits of a gid that say how its tile is turned: along the diagonal first, then left to right, then top
-/// to bottom. The lowest of the four bits turns tiles of hexagonal maps only, and is never kept.
-inline constexpr std::uint32_t kFlipAcross = 0x80000000U;
-inline constexpr std::uint32_t kFlipDown = 0x40000000U;
-inline constexpr std::uint32_t kFlipDiagonal = 0x20000000U;
-inline constexpr std::uint32_t kFlags = 0xf0000000U;
-
 /// The colours of a Wang set around a tile: of its top side, the corner at the top right, its right side, and
 /// so on clockwise. Empty where there is none.
 using WangColors = std::array<std::string, 8>;

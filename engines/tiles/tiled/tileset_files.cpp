@@ -8,6 +8,7 @@
 #include "engines/tiles/model/palette.h"
 #include "engines/tiles/read/file.h"
 #include "engines/tiles/read/png.h"
+#include "engines/tiles/tiled/gid_flags.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -20,9 +21,7 @@ WangColors turned(const WangColors& colors, std::uint32_t gid) {
   WangColors result;
   for (std::size_t place = 0; place < kPlaces.size(); ++place) {
     auto [x, y] = kPlaces.at(place);
-    if ((gid & kFlipAcross) != 0) x = 2 - x;
-    if ((gid & kFlipDown) != 0) y = 2 - y;
-    if ((gid & kFlipDiagonal) != 0) std::swap(x, y);
+    turn_place(gid, 3, x, y);
     const auto from = std::ranges::find(kPlaces, std::array<int, 2>{x, y});
     result.at(place) = colors.at(static_cast<std::size_t>(from - kPlaces.begin()));
   }
@@ -67,9 +66,9 @@ class TiledTiles {
     const std::uint32_t id = plain - tileset.first_gid;
     TileKind kind;
     const auto named = tileset.names.find(id);
-    kind.name =
-        (named != tileset.names.end() ? named->second : fmt::format("{}#{}", tileset.name, id)) + flags(gid);
-    kind.gid = gid & ~0x10000000U;
+    kind.name = (named != tileset.names.end() ? named->second : fmt::format("{}#{}", tileset.name, id)) +
+                flag_letters(gid);
+    kind.gid = gid & ~kFlipHexagonal;
     kind.icon = icon(tileset, pictures_[set], id, gid);
     kind.color = kind.icon.empty() ? palette_color(number) : mean_color(kind.icon);
     if (const auto wang = tileset.wang.find(id); wang != tileset.wang.end())
@@ -78,14 +77,6 @@ class TiledTiles {
   }
 
  private:
-  static std::string flags(std::uint32_t gid) {
-    std::string letters;
-    if ((gid & kFlipDiagonal) != 0) letters += 'd';
-    if ((gid & kFlipAcross) != 0) letters += 'h';
-    if ((gid & kFlipDown) != 0) letters += 'v';
-    return letters.empty() ? "" : "!" + letters;
-  }
-
   /// Returns the square of a tile, turned as its flags say; empty if it is not in the picture.
   static Picture icon(const TiledTileset& tileset, const Picture& picture, std::uint32_t id,
                       std::uint32_t gid) {
@@ -99,9 +90,8 @@ class TiledTiles {
     Picture result(side, side);
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {
-        int from_x = (gid & kFlipAcross) != 0 ? side - 1 - x : x,
-            from_y = (gid & kFlipDown) != 0 ? side - 1 - y : y;
-        if ((gid & kFlipDiagonal) != 0) std::swap(from_x, from_y);
+        int from_x = x, from_y = y;
+        turn_place(gid, side, from_x, from_y);
         result.at(x, y) = picture.at(static_cast<int>(left) + from_x, static_cast<int>(top) + from_y);
       }
     }
@@ -123,6 +113,10 @@ bool is_tileset(const std::filesystem::path& file) {
   return file.extension() == ".tsx" || file.extension() == ".tsj";
 }
 
+bool is_tiled(const std::filesystem::path& file) {
+  return file.extension() == ".tmx" || file.extension() == ".tmj";
+}
+
 void read_tiles_of(const std::filesystem::path& path, Tileset& tileset) {
   TiledMap map;
   map.tilesets.push_back(read_tileset(path));
@@ -135,6 +129,22 @@ void read_tiles_of(const std::filesystem::path& path, Tileset& tileset) {
     if (tileset.find(kind.name)) continue;
     try {
       tileset.add(std::move(kind));
+    } catch (const std::length_error& error) {
+      throw FileError(path.string(), error.what());
+    }
+  }
+}
+
+void read_numbered_tiles_of(const std::filesystem::path& path, const std::set<std::uint32_t>& numbers,
+                            Tileset& tileset) {
+  TiledMap map;
+  map.tilesets.push_back(read_tileset(path));
+  const TiledTiles tiles(path, map);
+  for (const std::uint32_t number : numbers) {
+    TileKind kind = number == 0 ? empty_kind("empty") : tiles.kind(number, tileset.size());
+    if (number == 0) kind.gid = 0;
+    try {
+      if (!tileset.find(kind.name)) tileset.add(std::move(kind));
     } catch (const std::length_error& error) {
       throw FileError(path.string(), error.what());
     }
@@ -157,7 +167,7 @@ Grid read_tiled(const std::filesystem::path& path, Tileset& tileset, bool open) 
   std::map<std::uint32_t, Tile> known;
   Grid grid(Size{{map.width, map.height, 1}});
   for (std::size_t site = 0; site < map.gids.size(); ++site) {
-    const std::uint32_t gid = map.gids[site] & ~0x10000000U;
+    const std::uint32_t gid = map.gids[site] & ~kFlipHexagonal;
     if ((gid & ~kFlags) == 0) continue;
     auto found = known.find(gid);
     if (found == known.end()) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,9 +18,17 @@ TiledTileset read_tsj(const std::filesystem::path& path);
 /// Returns whether a file is a tileset of Tiled (.tsx, .tsj).
 bool is_tileset(const std::filesystem::path& file);
 
+/// Returns whether a file is a map of Tiled (.tmx, .tmj).
+bool is_tiled(const std::filesystem::path& file);
+
 /// Adds the tiles of a tileset that its first Wang set labels, with the labels as their edges. Throws
 /// FileError.
 void read_tiles_of(const std::filesystem::path& path, Tileset& tileset);
+
+/// Adds the tiles with these numbers in a map that has this tileset alone, counted from 1. Number 0 is the
+/// tile "empty". Throws FileError.
+void read_numbered_tiles_of(const std::filesystem::path& path, const std::set<std::uint32_t>& numbers,
+                            Tileset& tileset);
 
 /// Reads the pins of a map: the rectangles of its object layer "pins". Throws FileError.
 std::vector<TiledPin> read_pins(const std::filesystem::path& path);

@@ -1,0 +1,202 @@
+// Configurations of DeBroglie, in the forms that its documentation has.
+#include "engines/tiles/request/debroglie.h"
+
+#include <doctest/doctest.h>
+#include <set>
+
+#include "base/file_error.h"
+#include "engines/tiles/job/job.h"
+#include "engines/tiles/model/picture.h"
+#include "engines/tiles/read/lenient_json.h"
+#include "engines/tiles/request/request_error.h"
+#include "engines/tiles/write/png.h"
+#include "tests/tiles/folder.h"
+
+namespace solitaire::tiles {
+namespace {
+
+constexpr Rgba kBlue{13, 37, 114, 255}, kWhite{255, 255, 255, 255}, kRed{200, 0, 0, 255};
+
+/// A folder with a sample of pixels: blue ways on white.
+struct Samples : TestFolder {
+  Samples() : TestFolder("solitaire-debroglie-") {
+    Picture way(6, 6, kWhite);
+    for (int at = 0; at < 6; ++at) way.at(at, 2) = kBlue;
+    for (int at = 2; at < 6; ++at) way.at(4, at) = kBlue;
+    write("way.png", write_png(way));
+    for (const auto& [name, color] :
+         {std::pair{"blue.png", kBlue}, {"white.png", kWhite}, {"red.png", kRed}}) {
+      Picture icon(2, 2, color);
+      icon.at(1, 0) = kRed;  // up and to the right
+      write(name, write_png(icon));
+    }
+  }
+
+  JobOptions options(const std::string& configuration) const {
+    JobOptions options;
+    options.inputs = {write("c.json", configuration)};
+    options.debroglie = true;
+    options.weights = WeightsKind::kStep;
+    options.sampling.anneal = options.sampling.sweeps = 4;
+    return options;
+  }
+  std::vector<std::string> maps(const std::string& configuration) const {
+    Job job(options(configuration));
+    std::vector<std::string> maps;
+    CHECK(job.run([&](std::uint64_t) { maps.push_back(job.file("txt", 1, ".")); }) == JobEnding::kDone);
+    return maps;
+  }
+  std::string error(const std::string& configuration) const {
+    try {
+      Job job(options(configuration));
+      job.run([](std::uint64_t) {});
+    } catch (const std::runtime_error& error) {
+      const std::string text = error.what();
+      const std::string folder = path().string() + "/";
+      return text.starts_with(folder) ? text.substr(folder.size()) : text;
+    }
+    return "";
+  }
+};
+
+TEST_CASE("DeBroglie: a sample of pixels with a path, borders and fixed tiles") {
+  const Samples samples;
+  const std::string map = samples
+                              .maps(R"({
+    // what DeBroglie's own samples look like, with comments and commas too many
+    "$schema": "./schema.json", "src": "way.png", "dest": "output/way.png", "backtrack": true, "animate": false,
+    "model": {"type": "overlapping", "n": 3}, "periodicInput": false, "periodic": false, "symmetry": 8,
+    "width": 12, "height": 9,
+    "constraints": [
+      {"type": "path", "pathTiles": ["#0D2572"]}, /* one network */
+      {"type": "border", "tile": "#ffffff", "sides": "xmin, xmax"},
+      {"type": "border", "tiles": ["#0d2572"], "sides": "ymin", "ban": true},
+      {"type": "fixedTile", "tile": "#0d2572", "point": {"x": 5, "y": 4}},
+      {"type": "count", "tiles": ["#0d2572"], "comparison": "atLeast", "count": 6},
+    ],
+  })")
+                              .front();
+  const std::size_t row = 13;
+  const char white = map[0], blue = map[4 * row + 5];
+  CHECK(white != blue);
+  CHECK(std::ranges::count(map, blue) >= 6);
+  for (std::size_t y = 0; y < 9; ++y) {
+    CHECK(map[y * row] == white);
+    CHECK(map[y * row + 11] == white);
+  }
+  for (std::size_t x = 0; x < 12; ++x) CHECK(map[x] == white);
+}
+
+TEST_CASE("DeBroglie: pictures of tiles with adjacencies, which turn with their tiles") {
+  const Samples samples;
+  const std::string tiles = R"("tiles": [
+    {"src": "blue.png", "value": "corner", "tileSymmetry": "L", "multiplyFrequency": "200%"},
+    {"src": "white.png", "value": "ground", "multiplyFrequency": 0.5}],)";
+  const std::string adjacencies = R"("adjacencies": [
+    {"left": ["ground"], "right": ["ground"], "comment": "flat"},
+    {"left": ["corner!270"], "right": ["corner"]},
+    {"left": ["corner", "corner!90"], "right": ["ground"]}])";
+  Job job(samples.options("{" + tiles + adjacencies +
+                          R"(, "symmetry": 8, "width": 6, "height": 5,
+    "constraints": [{"type": "count", "tiles": ["corner"], "comparison": "atLeast", "count": 1}]})"));
+  std::set<std::string> names;
+  CHECK(job.run([&](std::uint64_t) {
+    for (const ShownTile& tile : job.shown_tiles()) names.insert(tile.name);
+  }) == JobEnding::kDone);
+  // A corner needs all four: the one at its left or right, and those below or above them.
+  CHECK(names == std::set<std::string>{"corner", "corner!90", "corner!180", "corner!270", "ground"});
+
+  // Without symmetry nothing turns, and a corner has no neighbour above or below.
+  CHECK(samples.error("{" + tiles + R"("adjacencies": [{"left": ["corner"], "right": ["corner!90"]}]})")
+            .find("'adjacencies[0]': there is no tile 'corner!90'") != std::string::npos);
+}
+
+TEST_CASE("DeBroglie: what a configuration asks for is what the request says") {
+  const Samples samples;
+  const auto read = [&](const std::string& members) {
+    return read_debroglie(samples.write("c.json", R"({"src": "way.png", )" + members + "}"));
+  };
+  const Request plain = read(R"("dest": "x.png")");
+  CHECK(plain.size == Point{48, 48, 1});
+  CHECK(plain.symmetry.members().size() == 1);
+
+  const Request axes = read(R"("periodicX": true, "periodicInput": true, "symmetry": 4, "ground": "#ffffff",
+    "baseDirectory": ".")");
+  CHECK(axes.periodic == std::array<bool, 3>{true, false, false});
+  CHECK(axes.exemplars.front().periodic == std::array<bool, 3>{true, true, false});
+  CHECK(axes.symmetry.turns == 2);
+  CHECK(axes.symmetry.mirrored);
+  REQUIRE(axes.borders.size() == 2);
+  CHECK(axes.borders[0].sides == std::vector<std::string>{"bottom"});
+  CHECK((axes.borders[1].inside && axes.borders[1].forbidden));
+
+  const Request rules = read(R"("constraints": [
+    {"type": "edgedPath", "exits": {"1": ["x+", "yminus"]}, "endPoints": [{"x": 0, "y": 1}, {"x": 5, "y": 6, "z": 0}]},
+    {"type": "maxConsecutive", "tiles": [3, "4"], "axes": ["y"]}, {"type": "maxConsecutive", "tile": 3, "maxCount": 7},
+    {"type": "separation", "tiles": [1], "minDistance": 5}, {"type": "mirrorY"},
+    {"type": "pairSeparation", "tiles1": [1], "tiles2": [2], "minDistance": 4},
+    {"type": "acyclic", "pathSpec": {"type": "path", "tiles": [1]}},
+    {"type": "count", "tiles": [1], "comparison": "exactly", "count": 2, "eager": false},
+    {"type": "fixedTile", "tile": 9}])");
+  REQUIRE(rules.paths.size() == 1);
+  CHECK(rules.paths[0].over.open == std::vector<std::pair<std::string, std::string>>{{"1", "rt"}});
+  CHECK(rules.paths[0].to == Point{5, 6, 0});
+  REQUIRE(rules.runs.size() == 2);
+  CHECK(rules.runs[0].axis == 1U);
+  CHECK(rules.runs[0].most == 3);
+  CHECK(rules.runs[1].most == 7);
+  CHECK(rules.distances[0].least == 5);
+  CHECK(rules.distances[1].others == std::vector<std::string>{"2"});
+  CHECK(rules.acyclic.size() == 1);
+  CHECK((rules.counts[0].least == 2 && rules.counts[0].most == 2));
+  CHECK((rules.counts[1].least == 1 && rules.counts[1].tiles == std::vector<std::string>{"9"}));
+  CHECK(rules.notes.size() == 1);
+  CHECK(rules.mirror->axis == 1);
+  CHECK(rules.mirror->by_look);
+}
+
+TEST_CASE("DeBroglie: what has no meaning here is told with its place") {
+  const Samples samples;
+  const auto error = [&](const std::string& members) {
+    return samples.error(R"({"src": "way.png", "width": 6, "height": 6, )" + members + "}");
+  };
+  CHECK(error(R"("widht": 4)") == "c.json: there is no member 'widht'; did you mean 'width'?");
+  CHECK(error(R"("autoAdjacency": true)").find("there is no member 'autoAdjacency'") != std::string::npos);
+  CHECK(error(R"("constraints": [{"type": "loop"}])")
+            .find("'constraints[0].type' is 'loop', which is not read") != std::string::npos);
+  CHECK(error(R"("constraints": [{"type": "border", "tile": "#ffffff", "sides": "north"}])")
+            .find("has the side 'north'") != std::string::npos);
+  CHECK(error(R"("constraints": [{"type": "fixedTile", "tile": "#ffffff", "point": {"x": 6, "y": 0}}])") ==
+        "c.json: 'constraints[0].point.x' is no whole number from 0 to 5");
+  CHECK(error(R"("constraints": [{"type": "border", "tile": "#123456"}])")
+            .find("c.json: 'constraints[0]': there is no tile '#123456'; the tiles are '#ffffff'") == 0);
+  CHECK(error(R"("rotationalSymmetry": 3)").find("three rotations") != std::string::npos);
+  CHECK(error(R"("model": {"type": "deep"})") == "c.json: 'model.type' is neither adjacent nor overlapping");
+  CHECK(error(R"("tiles": [{"value": "#ffffff", "multiplyFrequency": "many"}])").find("is no number") !=
+        std::string::npos);
+  CHECK(samples.error(R"({"src": "../way.png"})") ==
+        "c.json: 'src' is no path within the folder of the configuration");
+  CHECK(samples.error(R"({"src": "/etc/passwd"})").find("is no path within") != std::string::npos);
+  CHECK(samples.error(R"({"src": "way.png", "baseDirectory": ".."})").find("is no path within") !=
+        std::string::npos);
+  CHECK(samples.error(R"({"srcType": "voxSet"})").find("are drawn as pictures") != std::string::npos);
+  CHECK(samples.error("{\"src\": \"way.png\",\n  // here\n  \"width\": 4 4}") ==
+        "c.json:3:14: this is no JSON");
+  CHECK(samples.error("{}") == "there is no exemplar to learn from, and no tile has edges");
+  const std::string whole =
+      R"({"src": "way.png", "symmetry": 8, "constraints": [{"type": "border", "tile": "#ffffff"}]})";
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    CHECK(samples.error(whole.substr(0, length)).starts_with("c.json:"));
+}
+
+TEST_CASE("comments and superfluous commas become blanks, and nothing else does") {
+  CHECK(strict_json("[1, // one\n 2,]") == "[1,       \n 2 ]");
+  CHECK(strict_json("{\"a\": \"//,]\", /* x\n */ }") == "{\"a\": \"//,]\"      \n    }");
+  CHECK(strict_json("[\"\\\",\", 3 , ]") == "[\"\\\",\", 3   ]");
+  CHECK(strict_json("[1,, 2]") == "[1,, 2]");
+  CHECK(strict_json("\"open\\") == "\"open\\");
+  CHECK(strict_json("/* open") == "       ");
+}
+
+}  // namespace
+}  // namespace solitaire::tiles
