@@ -153,7 +153,7 @@ TEST_CASE("mistakes in problem files are told with their member") {
   CHECK(error(R"({"exemplars": ["a.txt"], "size": [3, 4]})").empty());
   CHECK(error(R"({"exemplar": ["a.txt"]})") == "there is no member 'exemplar'; did you mean 'exemplars'?");
   CHECK(error(R"({"exemplars": ["a.txt"], "borders": [{"side": "all", "tiles": ["b"], "colour": 3}]})") ==
-        "there is no member 'borders[0].colour'; here may stand side, tiles");
+        "there is no member 'borders[0].colour'; here may stand except, forbid, inside, side, tiles");
   CHECK(error(R"({"exemplars": ["../a.txt"]})") ==
         "'exemplars[0].file' is no path within the folder of the problem file");
   CHECK(error(R"({"exemplars": ["/etc/passwd"]})") ==
