@@ -18,7 +18,7 @@ from = [0] + [range(0, i - 1) for i in 1..rooms - 1];
 doors = [door_between(dungeon[from[i]], dungeon[i]) for i in 1..rooms - 1];   // doors[i - 1] leads to room i
 
 // Before and behind each door, a step of the way is its own.
-steps = [Rect(cond(d.upwards, d.x - 1, d.x), cond(d.upwards, d.y, d.y - 1), cond(d.upwards, 2, 1), cond(d.upwards, 1, 2)) for d in doors];
+steps = [swing(d) for d in doors];
 assert(all_apart(steps), "doors do not stand in each other's way");
 
 locked = [range(1, rooms - 1) for k in 1..locks];        // lock k closes the door to that room
@@ -30,8 +30,8 @@ for k in 0..locks - 1: assert(order[keys[k]] < order[locked[k]], "the key comes 
 assert(locked[0] == rooms - 1 and keys[0] != 0, "the last room is locked");
 
 fun show_gate(kind, gate, color) {
-  place(kind, at: if gate.upwards then [gate.x - 0.2, gate.y] else [gate.x, gate.y - 0.2], size: [1, 0.4, 1.05],
-        turn: if gate.upwards then 1 else 0, color: color);
+  place(kind, at: if turned(gate) then [gate.x - 0.2, gate.y] else [gate.x, gate.y - 0.2], size: [1, 0.4, 1.05], turn: gate.turn,
+        color: color);
 }
 
 output {

@@ -6,7 +6,7 @@ param side = 8;    // of the room, in half metres
 
 unit(0.5);
 room = Rect(0, 0, side, side);
-door = Opening("door", 2, 0, 2, false);
+door = Opening("door", 2, 0, 2);
 
 fun appliance(kind, w) { return Thing(kind, w, 1, choose([0, 1]), range(0, side - 1), range(0, side - 1)); }
 fridge, sink, stove = appliance("fridge", 2), appliance("sink", 2), appliance("stove", 2);

@@ -3,8 +3,9 @@
 // A room is a rectangle of std/layout.sol. Rooms that touch have one wall between them, on the line where they meet.
 import "std/layout.sol";
 
-// An opening in a wall: from (x, y) on, w long, to the right or, if `upwards`, along y.
-record Opening(kind, x, y, w, upwards);
+// An opening in a wall: from (x, y) on, w long, to the right or, with turn 1, along y. It is a thing of std/layout.sol without
+// depth.
+record Opening(kind, x, y, w, d = 0, turn = 0);
 
 // Chooses where a door, or another opening, stands in the wall between two rooms. It rules out rooms that share no wall that
 // is so long.
@@ -14,7 +15,7 @@ fun door_between(a, b, w = 1, kind = "door") {
   assert(upwards or behind, "rooms with a door between them touch");
   at = range(cond(upwards, max(y1(a), y1(b)), max(x1(a), x1(b))), cond(upwards, min(y2(a), y2(b)), min(x2(a), x2(b))) - w);
   along = cond(upwards, cond(x2(a) == x1(b), x1(b), x1(a)), cond(y2(a) == y1(b), y1(b), y1(a)));
-  return Opening(kind, cond(upwards, along, at), cond(upwards, at, along), w, upwards);
+  return Opening(kind, cond(upwards, along, at), cond(upwards, at, along), w, turn: cond(upwards, 1, 0));
 }
 
 // Chooses where a window, or a door to the outside, stands in a wall of r that lies on the outline of `site`.
@@ -25,16 +26,16 @@ fun window_of(r, site, w = 1, kind = "window") {
          cond(side == 2, y2(r) == y2(site), x1(r) == x1(site)))), "a window looks out");
   at = range(cond(upwards, y1(r), x1(r)), cond(upwards, y2(r), x2(r)) - w);
   line = cond(side == 0, y1(r), cond(side == 1, x2(r), cond(side == 2, y2(r), x1(r))));
-  return Opening(kind, cond(upwards, line, at), cond(upwards, at, line), w, upwards);
+  return Opening(kind, cond(upwards, line, at), cond(upwards, at, line), w, turn: cond(upwards, 1, 0));
 }
 
-// The free space that a door needs on both of its sides.
+// The free space that an opening, or a door that is a thing, needs before and behind it.
 fun swing(o, reach = 1) {
-  return Rect(o.x - cond(o.upwards, reach, 0), o.y - cond(o.upwards, 0, reach),
-              cond(o.upwards, 2 * reach, o.w), cond(o.upwards, o.w, 2 * reach));
+  return Rect(o.x - cond(turned(o), reach, 0), o.y - cond(turned(o), 0, reach),
+              width(o) + cond(turned(o), 2 * reach, 0), depth(o) + cond(turned(o), 0, 2 * reach));
 }
 
-// Nothing stands in the way of an opening.
+// Nothing stands in the way of an opening or a door.
 fun way_is_free(o, things, reach = 1) { return lists_apart([swing(o, reach)], things); }
 
 // The space before o's front is free, so that one can sit down, or open it.
@@ -83,6 +84,5 @@ fun runs(pieces) {
 fun show_opening(o, thickness = nil) {
   if thickness == nil then thickness = wall_thickness();
   out = thickness / 2.0 + frame_depth();
-  place(o.kind, at: if o.upwards then [o.x - out, o.y] else [o.x, o.y - out], size: [o.w, 2 * out],
-        turn: if o.upwards then 1 else 0);
+  place(o.kind, at: if turned(o) then [o.x - out, o.y] else [o.x, o.y - out], size: [o.w, 2 * out], turn: o.turn);
 }
