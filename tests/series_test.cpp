@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "smt/write_dimacs.h"
 #include "tests/program_run.h"
 #include "tests/proof.h"
 
@@ -61,6 +62,36 @@ void check_resumed(const char* text, const SeriesOptions& options, const std::ve
           std::vector<std::string>(expected.begin() + static_cast<std::ptrdiff_t>(cut), expected.end()));
     CHECK(second.ending() == whole.ending());
   }
+}
+
+/// 1305 solutions: 870 pairs, half of which have two.
+constexpr const char* kPairs =
+    "x = range(0, 29); y = range(0, 29); assert(x != y); if x > y { z = flip(); } return x;";
+
+TEST_CASE("series: where most solutions have come, the rest comes as from a list in random order") {
+  const Program program = program_of(kPairs);
+  for (const std::size_t jobs : {0, 3}) {
+    SeriesOptions options;
+    options.jobs = jobs;
+    Series series(program, {}, {}, options);
+    const std::vector<std::string> all = take(series, 2000);
+    CHECK(all.size() == 1305);
+    CHECK(std::set<std::string>(all.begin(), all.end()).size() == 1305);
+    CHECK(series.ending() == Ending::kExhausted);
+    std::size_t ascending = 0;
+    for (std::size_t i = 600; i + 1 < all.size(); ++i) ascending += all[i] < all[i + 1] ? 1U : 0U;
+    CHECK(ascending > 250);  // about a half of 704, as in no order
+    CHECK(ascending < 450);
+  }
+  check_resumed(kPairs, {}, {250, 300, 700, 1304}, 2000);
+}
+
+TEST_CASE("series: nothing is left after solutions that came from a list") {
+  const Program program = program_of(kPairs);
+  Series series(program, {}, {}, {});
+  CHECK(take(series, 2000).size() == 1305);
+  const Formula rest = series.formula_of_rest();
+  CHECK_FALSE(cadical_verdict(to_dimacs(rest.graph, rest.addresses, rest.conditions)).satisfiable);
 }
 
 TEST_CASE("series: an interrupted one goes on with exactly what would have come, wherever it was cut") {

@@ -170,6 +170,39 @@ std::optional<NodeId> Graph::simplify_ite(Op op, NodeId condition, NodeId a, Nod
   return std::nullopt;
 }
 
+namespace {
+
+/// Makes the condition that a choice among constants is one of them: a condition on what decides the choice.
+/// A list of a million numbers of which a thousand are 500 leaves some thousand comparisons of the index, and
+/// nothing of the numbers.
+class EqualToConstant {
+ public:
+  EqualToConstant(Graph& graph, NodeId constant) : graph_(graph), constant_(constant) {}
+
+  /// Returns nothing for what is no choice among constants, or a deep or very large one.
+  std::optional<NodeId> of(NodeId id, unsigned depth = 0) {
+    const Graph::Node node = graph_.node(id);  // a copy: the graph grows meanwhile
+    if (node.is_constant()) return graph_.constant(id == constant_);
+    if (node.op != Op::kIteInt || depth == kMostDepth || ++visits_ == kMostVisits) return std::nullopt;
+    if (!node.interval.contains(graph_.node(constant_).interval.lo)) return kFalse;
+    const auto a = of(node.operands[1], depth + 1);
+    if (!a) return std::nullopt;
+    const auto b = of(node.operands[2], depth + 1);
+    if (!b) return std::nullopt;
+    return graph_.apply(Op::kIteBool, {node.operands[0], *a, *b});
+  }
+
+ private:
+  static constexpr unsigned kMostDepth = 40;  // more than a list has, whose choices are a balanced tree
+  static constexpr std::size_t kMostVisits = 4'000'000;  // some hundredths of a second
+
+  Graph& graph_;
+  NodeId constant_;
+  std::size_t visits_ = 0;
+};
+
+}  // namespace
+
 std::optional<NodeId> Graph::simplify_equal(NodeId a, NodeId b) {
   if (a == b) return kTrue;
   if (disjoint(node(a).interval, node(b).interval)) return kFalse;
@@ -183,13 +216,9 @@ std::optional<NodeId> Graph::simplify_equal(NodeId a, NodeId b) {
     return disjunction(apply(Op::kEqInt, {inner, b}), apply(Op::kEqInt, {inner, opposite}));
   }
   // if(c, 10, -5) == 10 is c.
-  const Node phi = node(a);
-  if (phi.op == Op::kIteInt && node(phi.operands[1]).is_constant() && node(phi.operands[2]).is_constant()) {
-    return apply(Op::kIteBool, {phi.operands[0], apply(Op::kEqInt, {phi.operands[1], b}),
-                                apply(Op::kEqInt, {phi.operands[2], b})});
-  }
-  if (phi.op == Op::kChoice) {
-    const Distribution& domain = variables_[phi.payload].domain;
+  if (node(a).op == Op::kIteInt) return EqualToConstant(*this, b).of(a);
+  if (node(a).op == Op::kChoice) {
+    const Distribution& domain = variable(a).domain;
     if ((node(b).interval.lo - domain.lo) % domain.step != 0) return kFalse;
   }
   return std::nullopt;

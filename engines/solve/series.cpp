@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "engines/resume.h"
+#include "engines/solve/few_solutions.h"
 #include "engines/solve/seen.h"
 #include "engines/tuning.h"
 
@@ -53,6 +54,7 @@ std::size_t Series::size(std::size_t number, std::size_t start) const {
   using namespace tuning;
   switch (manner_) {
     case Manner::kUnknown:
+    case Manner::kRest:
     case Manner::kEnumeration:
       return SIZE_MAX;
     case Manner::kBestFirst:
@@ -78,19 +80,42 @@ std::size_t Series::known_to(const Block& block) const {
 }
 
 void Series::start(const Block& block) {
-  block_ = block;
-  if (in_background()) {
+  const Block before = std::exchange(block_, block);
+  if (lists_rest(before, block_)) {
+    searches_.clear();
+  } else if (in_background()) {
     past_times_ += searches_.front().second->times();
     searches_.pop_front();
-    return start_searches();
+    start_searches();
+  } else {
+    start_engine();
   }
+}
+
+/// Makes the engine of the block.
+void Series::start_engine() {
   past_times_ += engine_->times();
-  engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, block.start);
+  engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, block_.start);
   if (told_) engine_->on_improvement(told_);
-  for (std::size_t i = 0; i < known_to(block); ++i) {
+  for (std::size_t i = 0; i < known_to(block_); ++i) {
     engine_->exclude(solutions_[i]);
     engine_->keep_away_from(solutions_[i]);
   }
+}
+
+/// Lists all solutions if most of them came before the block, which then is the last one.
+bool Series::lists_rest(const Block& before, Block& block) {
+  if (manner_ != Manner::kBlocks || options_.apart != Apart::kChoices || !tracing_.method->may_enumerate())
+    return false;
+  std::size_t look = tuning::kFirstLookForFew;
+  while (look <= before.start) look *= tuning::kLookForFewGrowth;
+  if (look > block.start) return false;
+  auto all = few_solutions(engine_->traced(), tuning::kFewSolutions * block.start, tracing_.seed);
+  if (!all) return false;
+  rest_ = std::move(*all);
+  manner_ = Manner::kRest;
+  block.end = SIZE_MAX;
+  return true;
 }
 
 /// Returns true if there is more than one block to work on, and may be more than one search.
@@ -112,7 +137,7 @@ void Series::start_searches() {
   } catch (const std::system_error&) {
     if (!searches_.empty()) return;
     options_.jobs = 1;
-    start(block_);
+    start_engine();
   }
 }
 
@@ -129,7 +154,10 @@ std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {
   std::vector<Solution> known =
       run_all(earlier, [this](const ChosenValues& choices) { return engine_->run(choices); });
   Block block{0, 0, size(0, 0)};
-  while (block.end <= earlier.size()) block = block_after(block);
+  while (block.end <= earlier.size()) {
+    const Block before = std::exchange(block, block_after(block));
+    lists_rest(before, block);
+  }
   for (std::size_t i = 0; i < block.start; ++i) remember(known[i]);
   to_repeat_.assign(earlier.begin() + static_cast<std::ptrdiff_t>(block.start), earlier.end());
   if (block.number == 0) return known;
@@ -137,8 +165,8 @@ std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {
   block_ = block;
   if (in_background()) {
     start_searches();
-  } else {
-    start(block);
+  } else if (manner_ != Manner::kRest) {
+    start_engine();
   }
   return known;
 }
@@ -173,7 +201,8 @@ bool Series::catch_up() {
     ending_ = Ending::kNone;
     manner_ = Manner::kBestFirst;  // each block knows all before it
     searches_.clear();
-    start({block_.number + 1, solutions_.size(), SIZE_MAX});
+    block_ = {block_.number + 1, solutions_.size(), SIZE_MAX};
+    start_engine();
   }
   return true;
 }
@@ -199,7 +228,21 @@ std::optional<Solution> Series::next_new() {
   }
 }
 
+std::optional<Solution> Series::next_of_rest() {
+  TracedProgram& traced = engine_->traced();
+  if (rest_.empty() || traced.stop().stopped()) {
+    ending_ = rest_.empty() ? Ending::kExhausted : Ending::kStopped;
+    return std::nullopt;
+  }
+  const Valuation values = std::move(rest_.back());
+  rest_.pop_back();
+  Assignment assignment = assignment_of(traced.graph(), values);
+  ending_ = Ending::kNone;
+  return traced.solution(traced.execution(assignment));
+}
+
 std::optional<Solution> Series::next_of_block() {
+  if (manner_ == Manner::kRest) return next_of_rest();
   if (!in_background()) {
     std::optional<Solution> solution = engine_->next();
     ending_ = engine_->ending();
@@ -220,7 +263,7 @@ EngineTimes Series::times() const {
 }
 
 Formula Series::formula_of_rest() {
-  if (manner_ != Manner::kBlocks) return engine_->formula_of_rest();
+  if (manner_ != Manner::kBlocks && manner_ != Manner::kRest) return engine_->formula_of_rest();
   searches_.clear();
   engine_ = std::make_unique<TracingEngine>(program_, params_, tracing_, solutions_.size());
   for (const ChosenValues& choices : solutions_) engine_->exclude(choices);

@@ -11,6 +11,7 @@
 #include "engines/distinct.h"
 #include "engines/solution_stream.h"
 #include "engines/solve/background_search.h"
+#include "tracegraph/valuation.h"
 
 namespace solitaire {
 
@@ -28,6 +29,9 @@ struct SeriesOptions {
 /// of random numbers. It knows the solutions of the blocks before, but not of the last few, so that several
 /// can be worked on at a time, with the same result however many these are; what other blocks have found,
 /// too, is left out. A series that was interrupted repeats the search from the start of its block on.
+///
+/// Where most solutions have come, those that are left are listed, and come in a random order. When that is
+/// looked at depends on the number of solutions alone, so that it is at the same place after an interruption.
 ///
 /// Where the best solutions come first, or none may be near another, a block has to know all before it, and
 /// one follows the other. Where all are gone through in order, there is one block.
@@ -62,13 +66,16 @@ class Series : public SolutionStream,
     std::size_t start = 0;  // its first solution
     std::size_t end = 0;
   };
-  enum class Manner : std::uint8_t { kUnknown, kBlocks, kBestFirst, kEnumeration };
+  enum class Manner : std::uint8_t { kUnknown, kBlocks, kRest, kBestFirst, kEnumeration };
 
   Block block_after(const Block& block) const;
   std::size_t size(std::size_t number, std::size_t start) const;
   std::size_t known_to(const Block& block) const;
   bool in_background() const;
   void start(const Block& block);
+  void start_engine();
+  bool lists_rest(const Block& before, Block& block);
+  std::optional<Solution> next_of_rest();
   void start_searches();
   std::unique_ptr<BackgroundSearch> search(const Block& block) const;
   std::optional<Solution> next_new();
@@ -86,6 +93,7 @@ class Series : public SolutionStream,
   EngineTimes past_times_;  // what finished engines and searches took
   std::function<void(const Solution&)> told_;
   Block block_;
+  std::vector<Valuation> rest_;  // with Manner::kRest, what is still to come, and some that came already
   DistinctResults results_;
   std::unordered_set<std::string> choices_;  // of all solutions so far
   std::vector<ChosenValues> solutions_;

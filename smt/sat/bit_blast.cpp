@@ -8,7 +8,7 @@
 
 #include "smt/operation_rows.h"
 #include "smt/sat/cardinality.h"
-#include "smt/tuning.h"
+#include "smt/sat/wide_choices.h"
 #include "smt/unsupported_operation.h"
 #include "tracegraph/post_order.h"
 
@@ -46,7 +46,7 @@ struct BitBlasts {
       {Op::kChoice, nullptr,
        [](B b, W, N a) { return b.choices_.number(*a); },
        [](B b, N a) { return b.choice_order(*a); },
-       [](C b, I i, N a) { return size_within(i, UINT64_MAX, static_cast<std::uint64_t>(b.graph_.variable(*a).domain.step)); }},
+       [](C b, I, N a) { return b.choices_.order_size(b.graph_.node(*a).payload); }},
 
       {Op::kNot, [](B b, N a) { return !b.literal(a[0]); }},
       {Op::kAnd, [](B b, N a) { return b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1])); }},
@@ -148,8 +148,6 @@ class LinearComparison : public Definition {
   std::function<Literal()> in_gates_;
 };
 
-bool is_arithmetic(Op op) { return op == Op::kAdd || op == Op::kSub || op == Op::kNeg || op == Op::kMul; }
-
 const NodeId* operands_or_itself(const Graph::Node& node, const NodeId& id) {
   return operation(node.op).arity == 0 ? &id : node.operands.data();
 }
@@ -217,17 +215,11 @@ void BitBlaster::push_operands(Part part, std::vector<Part>& pending) {
 
 /// Returns b - a as a sum of ints in order encoding, or null if it is to be compared in another way.
 const LinearForm* BitBlaster::linear_form(NodeId a, NodeId b) {
-  if (!is_arithmetic(graph_.node(a).op) && !is_arithmetic(graph_.node(b).op)) return nullptr;
+  if (!may_have_form(graph_, a, b)) return nullptr;
   const auto [entry, is_new] = linear_forms_.try_emplace(std::uint64_t{a.index} << 32 | b.index);
-  if (is_new) entry->second = read_linear_form(a, b);
+  if (is_new)
+    entry->second = ordered_difference_form(graph_, a, b, [this](NodeId node) { return order_size(node); });
   return entry->second ? &*entry->second : nullptr;
-}
-
-std::optional<LinearForm> BitBlaster::read_linear_form(NodeId a, NodeId b) const {
-  auto form = difference_form(graph_, a, b, tuning::kMostLinearFormTerms);
-  if (!form || form->terms.size() < tuning::kLeastLinearTerms) return std::nullopt;
-  const auto has_order = [this](const auto& term) { return order_size(term.first).is_ordered(); };
-  return std::ranges::all_of(form->terms, has_order) ? form : std::nullopt;
 }
 
 BitBlaster::Form BitBlaster::form_of_operands(Part part) const {
@@ -257,11 +249,23 @@ void BitBlaster::compile_one(Part part) {
   }
 }
 
-/// Finds the sizes of nodes that are new in the graph. Operands are older than what uses them.
+/// Finds the sizes of nodes that are new in the graph, and whether choices of many values have an order at
+/// all.
 void BitBlaster::find_order_sizes() {
   const auto known = static_cast<std::uint32_t>(order_sizes_.size());
+  if (known == graph_.size()) return;
+  find_order_sizes_from(known);
+  const std::vector<std::size_t> in_bits =
+      wide_choices_in_bits(graph_, known, [this](NodeId node) { return order_size(node); });
+  for (const std::size_t variable : in_bits) choices_.write_in_bits(variable);
+  if (!in_bits.empty()) find_order_sizes_from(known);
+}
+
+/// Operands are older than what uses them.
+void BitBlaster::find_order_sizes_from(std::uint32_t first) {
+  order_sizes_.resize(first);
   order_sizes_.resize(graph_.size());
-  for (std::uint32_t i = known; i < graph_.size(); ++i) {
+  for (std::uint32_t i = first; i < graph_.size(); ++i) {
     const NodeId id{i};
     const Graph::Node& node = graph_.node(id);
     const OrderSizing size = row_of(node).size;

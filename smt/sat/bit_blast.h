@@ -67,8 +67,8 @@ class BitBlaster {
   Form form_of_operands(Part part) const;
   bool comparable_in_order(NodeId a, NodeId b) const;
   const LinearForm* linear_form(NodeId a, NodeId b);
-  std::optional<LinearForm> read_linear_form(NodeId a, NodeId b) const;
   void find_order_sizes();
+  void find_order_sizes_from(std::uint32_t first);
   void add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals);
   OrderEncodedInt choice_order(NodeId choice);
 

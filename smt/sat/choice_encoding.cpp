@@ -4,8 +4,6 @@
 #include <bit>
 #include <utility>
 
-#include "smt/tuning.h"
-
 namespace solitaire {
 
 Bits with_known_bits(Bits bits, Interval interval) {
@@ -23,13 +21,23 @@ Interval ChoiceEncoding::numbers(std::size_t variable) const {
                           : Interval{0, (values.hi - values.lo) / values.step};
 }
 
+void ChoiceEncoding::write_in_bits(std::size_t variable) {
+  if (choices_.size() <= variable) choices_.resize(graph_.variables().size());
+  if (choices_[variable].inputs.empty()) choices_[variable].without_order = true;
+}
+
+OrderSize ChoiceEncoding::order_size(std::size_t variable) const {
+  if (variable < choices_.size() && choices_[variable].without_order) return {};
+  const Distribution& values = domain(variable);
+  return size_within(values.interval(), UINT64_MAX, static_cast<std::uint64_t>(values.step));
+}
+
 void ChoiceEncoding::add(std::size_t variable) {
   if (choices_.size() <= variable) choices_.resize(graph_.variables().size());
   Choice& made = choices_[variable];
   if (!made.inputs.empty()) return;
-  const Distribution& values = domain(variable);
-  if (static_cast<std::uint64_t>((values.hi - values.lo) / values.step) < tuning::kMostOrdered) {
-    made.order = ordered_input(values, made.inputs);
+  if (order_size(variable).is_ordered()) {
+    made.order = ordered_input(domain(variable), made.inputs);
   } else {
     made.bits = made.inputs = bounded_input(numbers(variable));
   }

@@ -10,6 +10,7 @@
 #include "smt/sat/circuit.h"
 #include "smt/sat/cnf.h"
 #include "smt/sat/order_encoded_int.h"
+#include "smt/sat/order_size.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -24,6 +25,11 @@ class ChoiceEncoding {
   ChoiceEncoding(const Graph& graph, Circuit& circuit, Cnf& cnf)
       : graph_(graph), circuit_(circuit), cnf_(cnf) {}
 
+  /// Has a choice variable written in bits, and without an order, however few values it has, unless it has
+  /// its inputs already.
+  void write_in_bits(std::size_t variable);
+  /// Returns how many values the variable has in order encoding, if that is how it is or will be written.
+  OrderSize order_size(std::size_t variable) const;
   /// Makes the inputs of a choice variable unless it has them. Their bounds go to the Cnf.
   void add(std::size_t variable);
   /// Returns one more than the number of the last variable that can have inputs.
@@ -51,6 +57,7 @@ class ChoiceEncoding {
     std::optional<OrderEncodedInt> order;
     Bits inputs;
     Bits bits;
+    bool without_order = false;
   };
 
   const Distribution& domain(std::size_t variable) const { return graph_.variables()[variable].domain; }

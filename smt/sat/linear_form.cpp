@@ -5,6 +5,8 @@
 #include <functional>
 #include <map>
 
+#include "smt/tuning.h"
+
 namespace solitaire {
 namespace {
 
@@ -67,6 +69,16 @@ class FormReader {
   std::int64_t total_ = 0;  // the most that the parts can come to, whatever their signs
 };
 
+bool is_arithmetic(Op op) { return op == Op::kAdd || op == Op::kSub || op == Op::kNeg || op == Op::kMul; }
+
+/// Returns true for an int by itself, or with a constant added: it gives one term.
+bool is_one_term(const Graph& graph, NodeId id) {
+  const Graph::Node& node = graph.node(id);
+  if (!is_arithmetic(node.op)) return true;
+  return node.op == Op::kAdd && graph.node(node.operands[1]).is_constant() &&
+         !is_arithmetic(graph.node(node.operands[0]).op);
+}
+
 }  // namespace
 
 std::optional<LinearForm> difference_form(const Graph& graph, NodeId a, NodeId b, std::size_t most) {
@@ -74,6 +86,19 @@ std::optional<LinearForm> difference_form(const Graph& graph, NodeId a, NodeId b
   reader.add(a, -1);
   reader.add(b, 1);
   return reader.read();
+}
+
+bool may_have_form(const Graph& graph, NodeId a, NodeId b) {
+  return !is_one_term(graph, a) || !is_one_term(graph, b);
+}
+
+std::optional<LinearForm> ordered_difference_form(const Graph& graph, NodeId a, NodeId b,
+                                                  const std::function<OrderSize(NodeId)>& size) {
+  if (!may_have_form(graph, a, b)) return std::nullopt;
+  auto form = difference_form(graph, a, b, tuning::kMostLinearFormTerms);
+  if (!form || form->terms.size() < tuning::kLeastLinearTerms) return std::nullopt;
+  const auto has_order = [&](const auto& term) { return size(term.first).is_ordered(); };
+  return std::ranges::all_of(form->terms, has_order) ? form : std::nullopt;
 }
 
 }  // namespace solitaire

@@ -164,6 +164,7 @@ void ExpressionResolver::comprehension(ComprehensionExpr& node) {
     const std::size_t shadows = scope_->inner.size();
     for (ComprehensionClause& made : node.clauses) clause(made);
     expression(*node.element);
+    condition_sites(node);
     for (std::size_t i = shadows; i < scope_->inner.size(); ++i) {
       const Slot slot = scope_->inner[i].second;
       if (scope_->read_inside.count(slot) > 0) scope_->assigned.add(slot);
@@ -177,10 +178,20 @@ void ExpressionResolver::clause(ComprehensionClause& node) {
   expression(*node.list);
   for (LoopVariable& variable : node.variables)
     variable.slot = scope_->declare_inner(variable.name, variable.span);
-  node.condition_sites.resize(node.conditions.size());
-  for (std::size_t i = 0; i < node.conditions.size(); ++i) {
-    branch_site(node.condition_sites[i], "where", node.conditions[i]->span);
-    expression(*node.conditions[i]);
+  for (const ExprPtr& condition : node.conditions) expression(*condition);
+}
+
+/// A condition behind which nothing but plain expressions is evaluated, as in `[g for g in gs if test(g)]`, is
+/// no site: to look into both of its sides costs nothing.
+void ExpressionResolver::condition_sites(ComprehensionExpr& node) {
+  for (ComprehensionClause& clause : node.clauses) {
+    clause.condition_sites.resize(clause.conditions.size());
+    bool plain = &clause == &node.clauses.back() && is_plain(*node.element);
+    for (std::size_t i = clause.conditions.size(); i-- > 0;) {
+      const Expr& condition = *clause.conditions[i];
+      if (!plain) branch_site(clause.condition_sites[i], "where", condition.span);
+      plain = plain && is_plain(condition);
+    }
   }
 }
 

@@ -55,6 +55,7 @@ class ExpressionResolver {
   const std::vector<Parameter>* record_fields(const Expr& callee) const;
   void comprehension(ComprehensionExpr& node);
   void clause(ComprehensionClause& node);
+  void condition_sites(ComprehensionExpr& node);
 };
 
 }  // namespace solitaire

@@ -80,14 +80,16 @@ void Comprehensions::conditions(const ComprehensionExpr& node, std::size_t claus
       conditions(node, clause_number, number + 1, collected);  // in place, without a copy of the list
     return;
   }
-  collected = choose_side(
+  const auto nothing = [&] { return make_list({}, node.span); };
+  const Value more = choose_side(
       holds, loop.condition_sites[number], test.span, node.assigned,
       [&] {
-        Value more = collected;
-        conditions(node, clause_number, number + 1, more);
-        return more;
+        Value made = nothing();
+        conditions(node, clause_number, number + 1, made);
+        return made;
       },
-      [&] { return collected; });
+      nothing);
+  append_all(collected, more, node.span);
 }
 
 // ---- the same with functions
@@ -105,14 +107,10 @@ Value Comprehensions::filter_list(const Value& function, const Value& list, cons
   collect({Iteration(*this, list, site.span), site.site, site.span, {}}, collected,
           [&](const Value& element) {
             const Value holds = condition(call_function(function, site, {element}), site.span);
-            collected = choose_side(
-                holds, Site{}, site.span, {},
-                [&] {
-                  Value more = collected;
-                  append(more, element, site.span);
-                  return more;
-                },
-                [&] { return collected; });
+            const Value more = choose_side(
+                holds, Site{}, site.span, {}, [&] { return make_list({element}, site.span); },
+                [&] { return make_list({}, site.span); });
+            append_all(collected, more, site.span);
           });
   return collected;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -157,7 +158,12 @@ bool Control::split(std::span<const NodeId> guards, std::span<const Slot> assign
     ends[i] = fork_state(assigned);
     ends[i]->value = std::move(made);
   }
-  return join(guards, ends, before, assigned, value);
+  const auto is_open = [](const std::optional<State>& end) { return end.has_value(); };
+  const auto first = std::ranges::find_if(ends, is_open) - ends.begin();
+  const bool one_goes_on = std::ranges::count_if(ends, is_open) == 1;
+  if (!join(guards, ends, before, assigned, value)) return false;
+  if (one_goes_on) path_.facts.assume(guards[static_cast<std::size_t>(first)], true);
+  return true;
 }
 
 template <class Then, class Else>

@@ -151,8 +151,11 @@ Value Operators::fold(Op op, std::span<const Value> operands, Span span) {
 }
 
 NodeId Operators::node_of_operation(Op op, std::span<const Value> operands, Span span) {
-  if (operands.size() == 1) return apply(op, {node_of(*graph_, operands[0])}, span);
-  return apply(op, {node_of(*graph_, operands[0]), node_of(*graph_, operands[1])}, span);
+  const NodeId made = operands.size() == 1
+                          ? apply(op, {node_of(*graph_, operands[0])}, span)
+                          : apply(op, {node_of(*graph_, operands[0]), node_of(*graph_, operands[1])}, span);
+  path_.facts.derive(made);
+  return made;
 }
 
 void Operators::too_large(Span span) {

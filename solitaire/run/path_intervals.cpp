@@ -1,5 +1,8 @@
 #include "solitaire/run/path_intervals.h"
 
+#include <algorithm>
+#include <array>
+
 namespace solitaire {
 namespace {
 
@@ -25,17 +28,59 @@ std::optional<PathIntervals::Comparison> PathIntervals::comparison(NodeId condit
   return Comparison{node.operands[left ? 1 : 0], node.op, left, graph_->node(constant).interval.lo};
 }
 
-Interval PathIntervals::interval(NodeId node) const {
-  for (std::size_t i = known_.size(); i-- > first_;) {
-    if (known_[i].node == node) return known_[i].interval;
-  }
-  return graph_->node(node).interval;
+std::size_t PathIntervals::last_fact(NodeId node) const {
+  const auto last = last_.find(node);
+  return last == last_.end() ? kNone : last->second;
+}
+
+/// Returns what facts about the node itself say. Facts that are hidden are older than all that are shown.
+Interval PathIntervals::own_interval(NodeId node) const {
+  const std::size_t last = last_fact(node);
+  return last != kNone && last >= first_ ? known_[last].interval : graph_->node(node).interval;
+}
+
+/// Of x + 3, facts are about x as well, since the graph moves constants to the other side of a comparison.
+Interval PathIntervals::interval(NodeId id) const {
+  const Interval own = own_interval(id);
+  const Graph::Node& node = graph_->node(id);
+  if (node.op != Op::kAdd || !graph_->node(node.operands[1]).is_constant()) return own;
+  const Interval moved = add(own_interval(node.operands[0]), graph_->node(node.operands[1]).interval);
+  const Interval both{std::max(own.lo, moved.lo), std::min(own.hi, moved.hi)};
+  return both.lo <= both.hi ? both : own;
 }
 
 void PathIntervals::narrow(NodeId node, Interval bounds) {
   const Interval before = interval(node);
   const Interval after{std::max(before.lo, bounds.lo), std::min(before.hi, bounds.hi)};
-  if (after != before && after.lo <= after.hi) known_.push_back({node, after});
+  if (after == before || after.lo > after.hi) return;
+  known_.push_back({node, after, last_fact(node)});
+  last_[node] = known_.size() - 1;
+}
+
+void PathIntervals::drop_from(std::size_t size) {
+  while (known_.size() > size) {
+    const Fact& last = known_.back();
+    if (last.before == kNone) {
+      last_.erase(last.node);
+    } else {
+      last_[last.node] = last.before;
+    }
+    known_.pop_back();
+  }
+}
+
+void PathIntervals::derive(NodeId made) {
+  if (known_.size() == first_) return;
+  const Graph::Node& node = graph_->node(made);
+  const auto bounds = operation(node.op).bounds;
+  if (bounds == nullptr || node.args().empty()) return;
+  std::array<Interval, 3> intervals;
+  bool narrower = false;
+  for (std::size_t i = 0; i < node.args().size(); ++i) {
+    intervals[i] = interval(node.operands[i]);
+    narrower = narrower || intervals[i] != graph_->node(node.operands[i]).interval;
+  }
+  if (narrower) narrow(made, bounds(intervals.data()));
 }
 
 void PathIntervals::assume(NodeId condition, bool holds) {
@@ -65,15 +110,15 @@ std::optional<bool> PathIntervals::decide(NodeId condition) const {
     const auto inner = decide(node.operands[0]);
     return inner ? std::optional(!*inner) : std::nullopt;
   }
-  const auto compared = comparison(condition);
-  if (!compared) return std::nullopt;
-  const Interval now = interval(compared->node);
-  for (const bool holds : {true, false}) {
-    const Interval needed = bounds_if(compared->op, compared->constant_left, compared->constant, holds);
-    if (disjoint(now, needed)) return !holds;
+  if (node.op != Op::kEqInt && node.op != Op::kLtInt && node.op != Op::kLeInt) return std::nullopt;
+  const Interval a = interval(node.operands[0]), b = interval(node.operands[1]);
+  if (node.op == Op::kEqInt) {
+    if (disjoint(a, b)) return false;
+    return a.single() && b.single() ? std::optional(true) : std::nullopt;
   }
-  if (compared->op == Op::kEqInt && now.single() && now.lo == compared->constant) return true;
-  return std::nullopt;
+  const std::int64_t least_gap = node.op == Op::kLtInt ? 1 : 0;
+  if (a.hi + least_gap <= b.lo) return true;
+  return a.lo + least_gap > b.hi ? std::optional(false) : std::nullopt;
 }
 
 }  // namespace solitaire

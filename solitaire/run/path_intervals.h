@@ -1,5 +1,8 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -9,7 +12,8 @@ namespace solitaire {
 
 /// Keeps what the conditions on the current path say about single ints: narrower intervals than the graph's
 /// own, which hold for all executions. They decide the branch that ends a recursion of chosen length, without
-/// a solver: after n == 0, n == 1, n == 2 were all false, an n of 0..3 is 3.
+/// a solver: after n == 0, n == 1, n == 2 were all false, an n of 0..3 is 3. What is computed of such ints is
+/// narrowed with them, so that a recursion on n - 1 or on n % m ends as well.
 ///
 /// Kept as a stack: what a side of a branch assumes is dropped where the branch joins.
 class PathIntervals {
@@ -20,9 +24,11 @@ class PathIntervals {
   void assume(NodeId condition, bool holds);
   /// Returns whether the condition holds, where the facts settle it.
   std::optional<bool> decide(NodeId condition) const;
+  /// Narrows an int that was just computed, by what is known of its operands.
+  void derive(NodeId made);
 
   std::size_t size() const { return known_.size(); }
-  void drop_from(std::size_t size) { known_.resize(size); }
+  void drop_from(std::size_t size);
   /// Hides all facts so far, for what must not depend on them; returns what show_from() puts back.
   std::size_t hide() { return std::exchange(first_, known_.size()); }
   void show_from(std::size_t first) { first_ = first; }
@@ -31,7 +37,9 @@ class PathIntervals {
   struct Fact {
     NodeId node;
     Interval interval;
+    std::size_t before;  // the number of the node's last fact before this one, or kNone
   };
+  static constexpr std::size_t kNone = SIZE_MAX;
   /// A comparison of an int with a constant.
   struct Comparison {
     NodeId node;
@@ -40,11 +48,14 @@ class PathIntervals {
     std::int64_t constant;
   };
   std::optional<Comparison> comparison(NodeId condition) const;
+  Interval own_interval(NodeId node) const;
   Interval interval(NodeId node) const;
+  std::size_t last_fact(NodeId node) const;
   void narrow(NodeId node, Interval interval);
 
   const Graph* graph_;  // null where no condition is ever assumed
   std::vector<Fact> known_;
+  std::unordered_map<NodeId, std::size_t> last_;  // the number of each node's last fact
   std::size_t first_ = 0;
 };
 

@@ -13,6 +13,9 @@ namespace {
 /// How many elements a..b may have as a value where its length depends on choices.
 constexpr std::int64_t kLongestChosenRange = 4096;
 
+/// Of more elements than this, a chosen one is found by halving. Judgement: both ways cost little up to here.
+constexpr std::int64_t kMostInChain = 64;
+
 std::string field_help(const RecordStmt& type, const std::string& name) {
   std::vector<std::string> names;
   std::string all;
@@ -45,6 +48,18 @@ bool are_consecutive(std::span<const Value> items) {
     if (at == nullptr || *at != *items[0].plain<std::int64_t>() + static_cast<std::int64_t>(i)) return false;
   }
   return true;
+}
+
+/// Returns true if these elements are numbers or bools of one type.
+bool are_scalars(const Elements& list, std::pair<std::int64_t, std::int64_t> range) {
+  for (const Type type : {Type::kInt, Type::kBool, Type::kFloat}) {
+    if (!list.value(static_cast<std::size_t>(range.first)).has_type(type)) continue;
+    for (std::int64_t i = range.first; i <= range.second; ++i) {
+      if (!list.value(static_cast<std::size_t>(i)).has_type(type)) return false;
+    }
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -180,9 +195,24 @@ Value Structures::element_of(const Value& list, const Value& index, Span span) {
   return selected(Elements(list), node_of(*graph_, index), possible_indices(index, items.size(), span));
 }
 
-/// The element at one of the possible indices.
+/// The scalar at one of the possible indices, as a balanced tree of comparisons of the index.
+Value Structures::selected_scalar(const Elements& list, NodeId index,
+                                  std::pair<std::int64_t, std::int64_t> possible) {
+  const auto [first, last] = possible;
+  if (first == last) return list.value(static_cast<std::size_t>(first));
+  const std::int64_t middle = first + (last - first + 1) / 2;
+  const Value low = selected_scalar(list, index, {first, middle - 1});
+  const Value high = selected_scalar(list, index, {middle, last});
+  if (low.identical(high)) return low;
+  return merge(*graph_, graph_->apply(Op::kLtInt, {index, graph_->constant(middle)}), low, high);
+}
+
+/// The element at one of the possible indices. Of few elements each has a condition of its own, that the
+/// index is its place, which solvers like best; of many these conditions would be long.
 Value Structures::selected(const Elements& list, NodeId index,
                            std::pair<std::int64_t, std::int64_t> possible) {
+  if (possible.second - possible.first >= kMostInChain && are_scalars(list, possible))
+    return selected_scalar(list, index, possible);
   Value chosen = list.value(static_cast<std::size_t>(possible.second));
   for (std::int64_t i = possible.second - 1; i >= possible.first; --i) {
     chosen = merge(*graph_, graph_->apply(Op::kEqInt, {index, graph_->constant(i)}),
@@ -284,29 +314,44 @@ Value Structures::checked_parts(const Value& value, std::size_t count, Span span
 // ---- changing
 
 void Structures::append(Value& collected, const Value& element, Span span) {
-  if (collected.is_list()) return append_one(collected, element, span);
+  if (collected.is_list()) return append_one(collected, {kTrue, element}, span);
   collected = each_alternative(collected, [&](const Value& list) {
     Value longer = list;
-    append_one(longer, element, span);
+    append_one(longer, {kTrue, element}, span);
     return longer;
   });
 }
 
-/// In place, if nothing shares the list.
-void Structures::append_one(Value& collected, const Value& element, Span span) {
-  const auto add = [&](auto& list, auto& elements, auto added) {
-    elements.push_back(std::move(added));
-    list.nesting = std::max(list.nesting, 1 + nesting(element));
+/// In place, if nothing shares the list. A list of known length takes elements alone that it always has.
+void Structures::append_one(Value& collected, const GuardedElement& element, Span span) {
+  const auto add = [&](auto& list, auto& elements, const auto& added) {
+    elements.push_back(added);
+    list.nesting = std::max(list.nesting, 1 + nesting(element.value));
   };
   if (collected.is<List>()) {
     List& list = collected.own<List>();
-    add(list, list.items, element);
+    add(list, list.items, element.value);
   } else {
     ChosenList& list = collected.own<ChosenList>();
-    add(list, list.elements, GuardedElement{kTrue, element});
+    add(list, list.elements, element);
     list.packed = false;
   }
   check_nesting(collected, span);
+}
+
+void Structures::append_all(Value& collected, const Value& more, Span span) {
+  if (!collected.is_list() || !more.is_list()) {
+    collected = arithmetic(BinaryOp::kAdd, collected, more, span);
+    return;
+  }
+  const Elements added(more);
+  if (more.is<ChosenList>() && collected.is<List>()) {
+    collected = concatenate_lists(collected, more);
+    check_nesting(collected, span);
+  } else {
+    for (std::size_t i = 0; i < added.size(); ++i)
+      append_one(collected, {added.guard(i), added.value(i)}, span);
+  }
 }
 
 void Structures::update_element(Value& object, const Value& index, Span span, const Change& change) {

@@ -74,6 +74,8 @@ class Structures : public Operators {
   void update_field(Value& object, const FieldExpr& target, const Change& change);
   /// Adds an element at the end of a list.
   void append(Value& list, const Value& element, Span span);
+  /// Adds all elements of another list at the end of a list, in place if nothing shares the list.
+  void append_all(Value& list, const Value& more, Span span);
 
  private:
   void count_largest(const Union& several, Span span);
@@ -82,8 +84,9 @@ class Structures : public Operators {
   void check_indexed(const Value& object, const Value& index, Span span);
   [[noreturn]] void no_such_field(const RecordStmt& type, const FieldExpr& access);
   Value chosen_range(const Value& first, const Value& last, Span span);
-  void append_one(Value& list, const Value& element, Span span);
+  void append_one(Value& list, const GuardedElement& element, Span span);
   Value element_of(const Value& list, const Value& index, Span span);
+  Value selected_scalar(const Elements& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible);
   Value selected(const Elements& list, NodeId index, std::pair<std::int64_t, std::int64_t> possible);
   Value element_of_chosen(const Value& list, const Value& index, Span span);
   std::pair<std::int64_t, std::int64_t> require_index(const Elements& list, const Value& index, Span span);
