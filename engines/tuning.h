@@ -74,8 +74,8 @@ constexpr std::size_t kBlockShare = 8;
 constexpr std::size_t kBestFirstBlockShare = 4;
 /// At the first of these numbers of solutions, and whenever there are so many times as many, a series looks
 /// whether there are few in all: at most so many times as many as came, out of at most so many times as many
-/// combinations of values. Then it goes through the rest. Of 10,000 solutions it does from the 2,300th on; all
-/// of them took 3.5 s, and take 0.2 s.
+/// combinations of values. Then it goes through the rest. Of 10,000 solutions it does from the 2,300th on;
+/// all of them took 3.5 s, and take 0.2 s.
 constexpr std::size_t kFirstLookForFew = 256;
 constexpr std::size_t kLookForFewGrowth = 8;
 constexpr std::size_t kFewSolutions = 8;

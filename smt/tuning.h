@@ -12,8 +12,8 @@ namespace solitaire::tuning {
 /// workspaces of four groups came ten times faster than with bits alone. Larger ints have fewer bits than
 /// values, and shorter clauses.
 inline constexpr std::uint64_t kMostOrdered = 1024;
-/// A choice of more values than this is written in order encoding only if its order is read more often than its
-/// bits. All 12,880 solutions of x + y == s, each from 0 to 300, took 0.6 s in orders and 0.1 s in bits.
+/// A choice of more values than this is written in order encoding only if its order is read more often than
+/// its bits. All 12,880 solutions of x + y == s, each from 0 to 300, took 0.6 s in orders and 0.1 s in bits.
 inline constexpr std::uint64_t kMostAlwaysOrdered = 256;
 /// The same where an int is one of two, or the smaller or the larger one: each value takes a gate, and a list
 /// of which one element is chosen has as many such ints as elements.

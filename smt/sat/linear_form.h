@@ -21,7 +21,8 @@ struct LinearForm {
 /// 64 bits. The work is that of visiting each node once, however often it is used.
 std::optional<LinearForm> difference_form(const Graph& graph, NodeId a, NodeId b, std::size_t most);
 
-/// Returns false for most comparisons of which ordered_difference_form() returns nothing, without looking far.
+/// Returns false for most comparisons of which ordered_difference_form() returns nothing, without looking
+/// far.
 bool may_have_form(const Graph& graph, NodeId a, NodeId b);
 /// Returns b - a as a linear form, if a comparison of the two is best read as one of sums: one of them at
 /// least is arithmetic, and there are enough terms, all of which can be ordered. `size` gives the size of a

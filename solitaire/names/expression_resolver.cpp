@@ -181,8 +181,8 @@ void ExpressionResolver::clause(ComprehensionClause& node) {
   for (const ExprPtr& condition : node.conditions) expression(*condition);
 }
 
-/// A condition behind which nothing but plain expressions is evaluated, as in `[g for g in gs if test(g)]`, is
-/// no site: to look into both of its sides costs nothing.
+/// A condition behind which nothing but plain expressions is evaluated, as in `[g for g in gs if test(g)]`,
+/// is no site: to look into both of its sides costs nothing.
 void ExpressionResolver::condition_sites(ComprehensionExpr& node) {
   for (ComprehensionClause& clause : node.clauses) {
     clause.condition_sites.resize(clause.conditions.size());
