@@ -14,7 +14,7 @@ colors = ["brown", "white", "green", "blue", "pink", "yellow"];
 fun shelf(kind) { return Thing(kind, 5, 1, range(0, 3), range(0, width, 2), range(0, depth)); }
 stand = [shelf(goods[i % 6]) for i in 0..shelves - 1];
 till = Thing("till", 2, 1, 2, range(0, width - 2), 3);
-door = Opening("door", width / 2 - 1, 0, 2, false);
+door = Opening("door", width / 2 - 1, 0, 2);
 things = stand + [till];
 
 for o in things: assert(inside(o, room), "in the shop");
