@@ -89,6 +89,7 @@ void ExpressionResolver::logical(LogicalExpr& node) {
   expression(*node.left);
   scope_->assigned.collect(node.assigned, [&] { expression(*node.right); });
   if (!is_plain(*node.right)) branch_site(node.site, node.is_and ? "and" : "or", node.op_span);
+  node.computes = computes(*node.right);
 }
 
 void ExpressionResolver::if_expression(IfExpr& node) {
@@ -98,6 +99,7 @@ void ExpressionResolver::if_expression(IfExpr& node) {
                             [&] { return expression(*node.else_value), false; });
   });
   if (!is_plain(*node.then_value) || !is_plain(*node.else_value)) branch_site(node.site, "if", node.span);
+  node.computes = computes(*node.then_value) && computes(*node.else_value);
 }
 
 void ExpressionResolver::call(CallExpr& node) {

@@ -11,4 +11,10 @@ bool is_plain(const Expr& node);
 /// control comes to its end.
 bool is_plain(const Stmt& node);
 
+/// Returns true if an expression is plain and does nothing but compute, of whatever is computed of numbers.
+bool computes(const Expr& node);
+
+/// Returns true if a statement does nothing but weigh executions by what such expressions give.
+bool weighs(const Stmt& node);
+
 }  // namespace solitaire

@@ -83,6 +83,7 @@ class Resolver : private ExpressionResolver {
     });
     const bool plain = is_plain(*node.then_body) && (!node.else_body || is_plain(*node.else_body));
     if (!plain) branch_site(node.site, "if", node.span);
+    node.weighs = weighs(*node.then_body) && (!node.else_body || weighs(*node.else_body));
     return then_returns && else_returns;
   }
 

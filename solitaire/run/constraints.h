@@ -1,6 +1,9 @@
 #pragma once
 #include <concepts>
+#include <optional>
+#include <utility>
 
+#include "solitaire/run/aside.h"
 #include "solitaire/run/control.h"
 
 namespace solitaire {
@@ -45,6 +48,10 @@ class Constraints : public Control {
   /// it, nothing is said against it. The path goes on in any case.
   template <class Evaluate>
   Value truth_apart(Evaluate evaluate);
+  /// Evaluates a side of a branch that may not be the one that is taken, with these effects. Returns nothing
+  /// where it does more than they allow.
+  template <class Evaluate>
+  std::optional<Value> value_aside(Aside& aside, Evaluate evaluate);
   /// Whether a comparison stays one that ranges decide, see Limits::open_comparisons.
   bool keeps_comparisons() const { return keeps_comparisons_; }
 
@@ -137,6 +144,23 @@ Value Constraints::truth_apart(Evaluate evaluate) {
   unwind(start);
   path_.losses = losses;
   return truth;
+}
+
+template <class Evaluate>
+std::optional<Value> Constraints::value_aside(Aside& aside, Evaluate evaluate) {
+  const Checkpoint start = checkpoint();
+  Effects& outer = *std::exchange(effects_, &aside);
+  std::optional<Value> value;
+  try {
+    value = evaluate();
+  } catch (const Aside::DoesMore&) {
+  } catch (...) {
+    effects_ = &outer;
+    throw;
+  }
+  effects_ = &outer;
+  if (!value) unwind(start);
+  return value;
 }
 
 }  // namespace solitaire

@@ -65,6 +65,7 @@ Value Evaluator::draw(const CallExpr& site, const Prior& prior, const char* name
   AddressId address = address_of(site.site);
   if (part) address = addresses_.turn(address, *part);
   const Distribution& distribution = prior.distribution;
+  std::vector<NodeId> parameters = parameter_nodes(prior, {});  // made before the choice, as they are known
   Value variable;
   if (const auto answer = choices_->answer(address, distribution)) {
     variable = distribution.type() == Type::kFloat ? Value(answer->as_float()) : Value(answer->as_int());
@@ -77,9 +78,8 @@ Value Evaluator::draw(const CallExpr& site, const Prior& prior, const char* name
                 fmt::format("'{}' chooses among infinitely many values, of which no solver finds one", name),
                 "'solitaire sample' draws them; for a solver, choose among ints: range(0, 100) / 100.0");
   }
-  effects_->choice(
-      {path_.guard(), {}, address, distribution, site.span, parameter_nodes(prior, {}), auxiliary_},
-      variable);
+  effects_->choice({path_.guard(), {}, address, distribution, site.span, std::move(parameters), auxiliary_},
+                   variable);
   return variable;
 }
 
@@ -175,6 +175,7 @@ Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Valu
   const auto answer = choices_->answer(address, domain);
   if (!answer && !forks_) throw no_answer(addresses_.text(address));
   const Distribution possible = answer ? domain : choices_->widened(address, domain);
+  std::vector<NodeId> parameters = parameter_nodes(prior, {lo, hi, step});  // made before the choice
   Value variable;
   if (answer) {
     variable = answer->as_int();
@@ -187,9 +188,8 @@ Value Evaluator::decide_open(const CallExpr& site, AddressId address, const Valu
   const bool of_list =
       limits_.keep_going && domain.family == Distribution::Family::kIndex && !answer && !fixed;
   if (of_list) variable = int_operation(Op::kMin, variable, hi, site.span);
-  effects_->choice(
-      {path_.guard(), {}, address, domain, site.span, parameter_nodes(prior, {lo, hi, step}), auxiliary_},
-      variable);
+  effects_->choice({path_.guard(), {}, address, domain, site.span, std::move(parameters), auxiliary_},
+                   variable);
   const bool known = fixed && known_step != nullptr;
   if (!of_list && (!known || answer || possible != domain))
     require_between(variable, lo, hi, site.span, address);

@@ -86,15 +86,34 @@ Value Walk::membership(const BinaryExpr& node) {
 Value Walk::logical(const LogicalExpr& node) {
   const Value left = tested(*node.left);
   const auto right = [&] { return tested(*node.right); };
+  if (node.computes && shows_both_sides(left)) {
+    Aside aside;
+    const auto joined = [&] { return node.is_and ? both(left, right()) : either(left, right()); };
+    if (std::optional<Value> merged = value_aside(aside, joined)) return *std::move(merged);
+  }
   const auto settled = [&] { return Value(!node.is_and); };
   if (node.is_and) return choose_side(left, node.site, node.left->span, node.assigned, right, settled);
   return choose_side(left, node.site, node.left->span, node.assigned, settled, right);
 }
 
 Value Walk::if_expression(const IfExpr& node) {
+  const Value condition = tested(*node.condition);
+  if (node.computes && shows_both_sides(condition))
+    if (std::optional<Value> merged = of_both_sides(condition, node)) return *std::move(merged);
   return choose_side(
-      tested(*node.condition), node.site, node.condition->span, node.assigned,
-      [&] { return expression(*node.then_value); }, [&] { return expression(*node.else_value); });
+      condition, node.site, node.condition->span, node.assigned, [&] { return expression(*node.then_value); },
+      [&] { return expression(*node.else_value); });
+}
+
+/// The value with which a trace shows both sides. Nothing where one of them does more than to compute, or
+/// makes a mistake where it is not taken.
+std::optional<Value> Walk::of_both_sides(const Value& condition, const IfExpr& node) {
+  Aside aside;
+  return value_aside(aside, [&] {
+    const Value then_value = expression(*node.then_value);
+    const Value else_value = expression(*node.else_value);
+    return select(condition, then_value, else_value, node.span);
+  });
 }
 
 Value Walk::function(const FunctionExpr& node) {

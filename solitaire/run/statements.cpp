@@ -70,11 +70,30 @@ bool Walk::statement(const Stmt& node) {
 }
 
 bool Walk::if_statement(const IfStmt& node) {
+  const Value condition = tested(*node.condition);
+  if (node.weighs && shows_both_sides(condition) && weigh_both_sides(condition, node)) return true;
   Value unused;
   return branch(
-      tested(*node.condition), node.site, node.condition->span, node.assigned, unused,
+      condition, node.site, node.condition->span, node.assigned, unused,
       [&](Value&) { return statement(*node.then_body); },
       [&](Value&) { return node.else_body == nullptr || statement(*node.else_body); });
+}
+
+/// Weighs the execution by the side that is taken, so that a trace shows both of them. Returns false, with
+/// nothing done, where one of them makes a mistake.
+bool Walk::weigh_both_sides(const Value& condition, const IfStmt& node) {
+  Aside then_side, else_side;
+  const auto run = [&](Aside& aside, const Stmt& body) {
+    return value_aside(aside, [&] { return statement(body), Value::nil(); }).has_value();
+  };
+  if (!run(then_side, *node.then_body)) return false;
+  if (node.else_body != nullptr && !run(else_side, *node.else_body)) return false;
+  const Value none = 0.0;
+  for (const auto& [span, weight] : then_side.factors())
+    effects_->factor(span, select(condition, weight, none, span));
+  for (const auto& [span, weight] : else_side.factors())
+    effects_->factor(span, select(condition, none, weight, span));
+  return true;
 }
 
 bool Walk::return_statement(const ReturnStmt& node) {

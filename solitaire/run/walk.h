@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "solitaire/run/assignments.h"
 
@@ -24,9 +25,14 @@ class Walk final : public Assignments {
   const Path& path() const { return path_; }
 
  private:
+  /// Returns true if a trace had better show both sides of a branch, where that can be: who weighs executions
+  /// goes from one to the other, over and over.
+  bool shows_both_sides(const Value& condition) const { return condition.traced() && choices_->weighs(); }
+
   // statements.cpp
   bool statement(const Stmt& node) override;
   bool if_statement(const IfStmt& node);
+  bool weigh_both_sides(const Value& condition, const IfStmt& node);
   bool return_statement(const ReturnStmt& node);
   bool jump(const Stmt& node);
   void param(const ParamStmt& node);
@@ -40,6 +46,7 @@ class Walk final : public Assignments {
   Value element_of(const IndexExpr& node);
   Value logical(const LogicalExpr& node);
   Value if_expression(const IfExpr& node);
+  std::optional<Value> of_both_sides(const Value& condition, const IfExpr& node);
   Value function(const FunctionExpr& node);
 };
 

@@ -130,6 +130,7 @@ struct LogicalExpr : Expr {
   bool is_and;
   Span op_span;
   ExprPtr left, right;
+  bool computes = false;  // the right side does nothing else
   Site site;
   std::vector<Slot> assigned;  // see ComprehensionExpr; of the right side
 };
@@ -164,6 +165,7 @@ struct FieldExpr : Expr {
 struct IfExpr : Expr {
   explicit IfExpr(Span where) : Expr(ExprKind::kIf, where) {}
   ExprPtr condition, then_value, else_value;
+  bool computes = false;  // both sides do nothing else
   Site site;
   std::vector<Slot> assigned;  // see ComprehensionExpr; of either side
 };
@@ -250,6 +252,7 @@ struct IfStmt : Stmt {
   explicit IfStmt(Span where) : Stmt(StmtKind::kIf, where) {}
   ExprPtr condition;
   StmtPtr then_body, else_body;  // else_body may be null
+  bool weighs = false;           // both sides do nothing but weigh executions
   Site site;
   std::vector<Slot> assigned;  // by either side
 };
