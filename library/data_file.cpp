@@ -93,8 +93,23 @@ std::string constant_of_json(const std::filesystem::path& path) {
 
 using Cells = std::vector<std::string>;
 
-/// Splits a table into rows of cells. Cells in double quotes may have commas, line ends and doubled quotes.
-std::vector<Cells> cells_of(const std::string& text, const std::filesystem::path& path) {
+/// What stands between the cells: a comma, or a tab or semicolon where the first row has no comma.
+char separator_of(const std::string& text) {
+  bool quoted = false, tab = false, semicolon = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == '\n') break;
+    if (c == ',') return ',';
+    tab = tab || c == '\t';
+    semicolon = semicolon || c == ';';
+  }
+  return tab ? '\t' : semicolon ? ';' : ',';
+}
+
+/// Splits a table into rows of cells. Cells in double quotes may have separators, line ends and doubled
+/// quotes.
+std::vector<Cells> cells_of(const std::string& text, char separator, const std::filesystem::path& path) {
   std::vector<Cells> rows;
   Cells row;
   std::string cell;
@@ -113,7 +128,7 @@ std::vector<Cells> cells_of(const std::string& text, const std::filesystem::path
     } else if (c == '"') {
       quoted = !quoted;
       opened = rows.size() + 1;
-    } else if (c == ',' && !quoted) {
+    } else if (c == separator && !quoted) {
       end_cell();
     } else if (c == '\n' && !quoted) {
       end_row();
@@ -144,6 +159,28 @@ std::optional<Number> number_in(const std::string& cell) {
 
 bool is_number_cell(const std::string& cell) { return number_in<double>(trimmed_cell(cell)).has_value(); }
 
+/// Two numbers with that sign between them, such as "1,5".
+bool is_pair(const std::string& cell, char sign) {
+  const std::size_t at = cell.find(sign);
+  return at != std::string::npos && is_number_cell(cell.substr(0, at)) && is_number_cell(cell.substr(at + 1));
+}
+
+/// Refuses a row of which one can tell that it was split at another sign than whoever wrote it meant.
+void check_row(const Cells& row, std::size_t number, char separator, const std::filesystem::path& path) {
+  for (const std::string& cell : row) {
+    if (separator != ',' && is_pair(cell, ',')) {
+      refuse_data(path,
+                  fmt::format("row {} of the data has the number {} with a comma; write it with a point",
+                              number, trimmed_cell(cell)));
+    }
+    if (separator == ',' && is_pair(cell, ';')) {
+      refuse_data(path, fmt::format("row {} of the data has the cell {}; put either commas or semicolons "
+                                    "between all cells, and write numbers with a point",
+                                    number, trimmed_cell(cell)));
+    }
+  }
+}
+
 std::string cell_constant(const std::string& cell) {
   const std::string text = trimmed_cell(cell);
   if (const auto i = number_in<std::int64_t>(text)) return std::to_string(*i);
@@ -152,7 +189,9 @@ std::string cell_constant(const std::string& cell) {
 }
 
 std::string constant_of_table(const std::filesystem::path& path) {
-  std::vector<Cells> rows = cells_of(text_of_data(path), path);
+  const std::string text = text_of_data(path);
+  const char separator = separator_of(text);
+  std::vector<Cells> rows = cells_of(text, separator, path);
   if (!rows.empty() && std::none_of(rows[0].begin(), rows[0].end(), is_number_cell)) rows.erase(rows.begin());
   std::vector<std::string> items;
   for (const Cells& row : rows) {
@@ -160,6 +199,7 @@ std::string constant_of_table(const std::filesystem::path& path) {
       refuse_data(path, fmt::format("row {} of the data has {} cells, and the first has {}", items.size() + 1,
                                     row.size(), rows[0].size()));
     }
+    check_row(row, items.size() + 1, separator, path);
     Cells constants;
     for (const std::string& cell : row) constants.push_back(cell_constant(cell));
     items.push_back(row.size() == 1 ? constants[0] : list_constant(constants));

@@ -137,14 +137,25 @@ std::vector<Value> tail_sums(Evaluator& evaluator, Items items, Span span) {
   return sums;
 }
 
+/// Throws where a parameter of a Dirichlet distribution can be none.
+void check_concentrations(Evaluator& evaluator, Items items, const char* of, Span span) {
+  if (items.empty())
+    evaluator.program_error(span, fmt::format("'{}' needs a list of positive numbers, not an empty one", of));
+  for (const Value& item : items) {
+    const double known = known_number(evaluator, item, of, span);
+    if (known > 0) continue;
+    evaluator.program_error(
+        span, fmt::format("the concentrations of '{}' are positive numbers, not {}", of, float_text(known)));
+  }
+}
+
 /// A point of a simplex, by breaking a stick: the first part of what is left has a beta distribution
 /// (Ferguson 1973; Gelman and others, Bayesian Data Analysis, appendix A). So it is several choices, one
 /// fewer than there are parts, and each of them alone has a beta distribution given counts.
 Value dirichlet(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
   return evaluator.with_items(call.arguments[0], "dirichlet", span, [&](Items items) {
-    if (items.empty())
-      evaluator.program_error(span, "'dirichlet' needs a list of positive numbers, not an empty one");
+    check_concentrations(evaluator, items, "dirichlet", span);
     const std::vector<Value> sums = tail_sums(evaluator, items, span);
     std::vector<Value> parts;
     Value left = 1.0;
@@ -189,8 +200,9 @@ Value dirichlet_distribution(Evaluator& evaluator, Call call) {
 
 /// The density of a Dirichlet distribution at a list of numbers above 0.
 Value dirichlet_density(Evaluator& evaluator, Items items, Items x, Span span) {
-  if (items.size() != x.size() || items.empty())
+  if (items.size() != x.size())
     evaluator.program_error(span, "a Dirichlet distribution and its value have as many parts");
+  check_concentrations(evaluator, items, "Dirichlet", span);
   const auto combine = [&](BinaryOp op, const Value& a, const Value& b) {
     return evaluator.arithmetic(op, a, b, span);
   };
@@ -199,7 +211,6 @@ Value dirichlet_density(Evaluator& evaluator, Items items, Items x, Span span) {
   };
   Value density = log_gamma(tail_sums(evaluator, items, span).front());
   for (std::size_t i = 0; i < items.size(); ++i) {
-    known_number(evaluator, items[i], "Dirichlet", span);
     known_number(evaluator, x[i], "Dirichlet", span);
     const Value power = combine(BinaryOp::kSubtract, items[i], 1.0);
     const Value log_part = evaluator.unary(Op::kLog, evaluator.to_float(x[i], span), span);
