@@ -132,6 +132,14 @@ constexpr std::uint64_t kMostValuesCompared = 64;
 constexpr std::size_t kMostCovariances = 30;
 /// Traces of so many paths are kept. Judgement: each takes some kilobytes for each choice.
 constexpr std::size_t kMostTraces = 256;
+/// A step that leaves its path is tried on at most so many others before the program is run. Judgement: to
+/// find that a path is another one takes a hundredth of a run.
+constexpr std::size_t kMostPassages = 8;
+/// Of the steps that were made by running the program and refused, one in so many is traced. Judgement: to
+/// trace takes as long as some runs.
+constexpr std::uint64_t kStepsToTrace = 10;
+/// An execution is run anew after so many sweeps, to compare its density with that of the trace.
+constexpr std::uint64_t kSweepsBetweenChecks = 1000;
 /// A trace's density and that of the execution agree to so much of their size: sums differ in their order.
 constexpr double kDensityTolerance = 1e-9;
 /// Of a chain that makes scenes: sweeps before the first, and from one to the next. Judgement: nobody looks

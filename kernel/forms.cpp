@@ -143,9 +143,11 @@ std::optional<Basis> basis_of_terms(const ScoreProgram& program, const Slice& sl
 
 bool within(Basis basis, Basis allowed) { return (basis & ~allowed) == 0; }
 
-bool is_unit_interval(const Distribution& distribution) {
+bool is_unit_interval(const ScoreProgram::Choice& choice) {
+  const Distribution& distribution = choice.distribution;
   return distribution.family == Family::kBeta ||
-         (distribution.family == Family::kUniform && distribution.a == 0 && distribution.b == 1);
+         (distribution.family == Family::kUniform && choice.fixed_parameters && distribution.a == 0 &&
+          distribution.b == 1);
 }
 
 }  // namespace
@@ -160,7 +162,7 @@ Form form_of(const ScoreProgram& program, const ScoreProgram::Choice& choice, co
   const bool has_half_line =
       distribution.family == Family::kGamma || distribution.family == Family::kExponential;
   if (has_half_line && within(*basis, kC | kLogC)) return Form::kGamma;
-  if (is_unit_interval(distribution) && within(*basis, kLogC | kLogRest)) return Form::kBeta;
+  if (is_unit_interval(choice) && within(*basis, kLogC | kLogRest)) return Form::kBeta;
   return Form::kUnknown;
 }
 

@@ -13,8 +13,10 @@ namespace {
 /// steps.
 constexpr std::uint64_t kRescoreEvery = std::uint64_t{1} << 20;
 
-/// To compile a slice takes as long as some hundred runs of it.
+/// To compile code takes as long as some hundred runs of it.
 constexpr std::uint32_t kCompiledAfter = 300;
+/// What comes between two choices is compiled if it is as long: machine code takes a page of memory.
+constexpr std::size_t kShortestCompiledStage = 16;
 
 /// A bool is an int of 0 or 1.
 double number(Scalar value, Type type) {
@@ -25,9 +27,11 @@ double number(Scalar value, Type type) {
 
 Kernel::Kernel(ScoreProgram program, bool compiles)
     : program_(std::move(program)),
+      stages_(stages_of(program_)),
       slices_(slices_of(program_)),
       compiles_(compiles),
-      compiled_(slices_.size()) {
+      compiled_stages_(stages_.size()),
+      compiled_slices_(slices_.size()) {
   std::size_t longest = 0;
   for (const Slice& slice : slices_) longest = std::max(longest, slice.code.size());
   for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) {
@@ -38,23 +42,55 @@ Kernel::Kernel(ScoreProgram program, bool compiles)
   cells_.resize(program_.cells.size() + longest + std::max<std::size_t>(1, floats_.size()));
 }
 
-Kernel::Outcome Kernel::load(const std::vector<Scalar>& values) {
-  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i)
-    if (program_.choices[i].cell != kNoCell) cells_[program_.choices[i].cell] = values[i];
+Kernel::Outcome Kernel::follow(const Answer& answer) {
   proposed_bits_.reset();
-  return score_all();
+  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) {
+    if (!reach(i)) return Outcome::kLeavesTrace;
+    const Scalar value = answer(i);
+    if (program_.choices[i].cell != kNoCell) cells_[program_.choices[i].cell] = value;
+  }
+  return reach(program_.choices.size()) ? score_all() : Outcome::kLeavesTrace;
 }
 
+/// Computes what a stage adds to the one before it. Returns false if no execution on this path comes there.
+bool Kernel::reach(std::size_t stage) {
+  const std::size_t start = stage == 0 ? 0 : stages_[stage - 1].code_end;
+  const std::span<const Instruction> code(program_.code.data() + start, stages_[stage].code_end - start);
+  const std::vector<Cell>& assumed = stages_[stage].assumed;
+  const bool made = code.size() < kShortestCompiledStage ? run(code, cells_.data())
+                                                         : run_code(code, compiled_stages_[stage]);
+  return made && std::all_of(assumed.begin(), assumed.end(), [&](Cell cell) { return holds(cell); });
+}
+
+Kernel::Outcome Kernel::load(const std::vector<Scalar>& values) {
+  return follow([&](ChoiceNumber choice) { return values[choice]; });
+}
+
+void Kernel::keep(Present& present) const {
+  present.cells.assign(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(program_.cells.size()));
+  present.log_score = log_score_;
+}
+
+void Kernel::come_back(const Present& present) {
+  std::copy(present.cells.begin(), present.cells.end(), cells_.begin());
+  log_score_ = present.log_score;
+  proposed_bits_.reset();
+}
+
+/// Sums up what the code of the program made.
 Kernel::Outcome Kernel::score_all() {
-  const bool made = run(program_.code, cells_.data());
-  const auto holds = [&](Cell cell) { return cells_[cell].i != 0; };
-  if (!made || !std::all_of(program_.assumed.begin(), program_.assumed.end(), holds))
-    return Outcome::kLeavesTrace;
-  if (!std::all_of(program_.required.begin(), program_.required.end(), holds)) return Outcome::kImpossible;
+  if (!std::all_of(program_.required.begin(), program_.required.end(),
+                   [&](Cell cell) { return holds(cell); }))
+    return Outcome::kImpossible;
   log_score_ = program_.constant;
   for (const Cell term : program_.terms) log_score_ += cells_[term].f;
-  if (std::isnan(log_score_)) return Outcome::kLeavesTrace;
-  return log_score_ > -HUGE_VAL ? Outcome::kScored : Outcome::kImpossible;
+  return outcome_of(log_score_);
+}
+
+Kernel::Outcome Kernel::outcome_of(double log_density) {
+  if (std::isnan(log_density)) return Outcome::kLeavesTrace;
+  if (log_density == HUGE_VAL) ++infinities_;
+  return std::isinf(log_density) ? Outcome::kImpossible : Outcome::kScored;
 }
 
 /// What was proposed last stands in the slice's cells still, so to propose it again takes no time.
@@ -67,11 +103,10 @@ Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
 }
 
 /// Both machines give the same, so it does not matter when the faster one takes over.
-bool Kernel::run_slice(std::size_t slice) {
-  Compiled& compiled = compiled_[slice];
+bool Kernel::run_code(std::span<const Instruction> code, Compiled& compiled) {
   if (compiled.code != nullptr) return compiled.code(cells_.data());
-  if (compiles_ && ++compiled.runs == kCompiledAfter) compiled.code = compiler_.compile(slices_[slice].code);
-  return run(slices_[slice].code, cells_.data());
+  if (compiles_ && ++compiled.runs == kCompiledAfter) compiled.code = compiler_.compile(code);
+  return run(code, cells_.data());
 }
 
 void Kernel::differentiate() {
@@ -90,20 +125,20 @@ Kernel::Outcome Kernel::propose_floats(std::span<const double> values) {
 
 Kernel::Outcome Kernel::score_slice(std::size_t number) {
   const Slice& slice = slices_[number];
-  const bool made = run_slice(number);
-  const auto holds = [&](Cell cell) { return cells_[cell].i != 0; };
-  if (!made || !std::all_of(slice.assumed.begin(), slice.assumed.end(), holds)) return Outcome::kLeavesTrace;
-  if (!std::all_of(slice.required.begin(), slice.required.end(), holds)) return Outcome::kImpossible;
+  const bool made = run_code(slice.code, compiled_slices_[number]);
+  const auto is_true = [&](Cell cell) { return holds(cell); };
+  if (!made || !std::all_of(slice.assumed.begin(), slice.assumed.end(), is_true))
+    return Outcome::kLeavesTrace;
+  if (!std::all_of(slice.required.begin(), slice.required.end(), is_true)) return Outcome::kImpossible;
   difference_ = slice.difference == kNoCell ? 0 : cells_[slice.difference].f;
-  if (std::isnan(difference_)) return Outcome::kLeavesTrace;
-  return difference_ > -HUGE_VAL ? Outcome::kScored : Outcome::kImpossible;
+  return outcome_of(difference_);
 }
 
 void Kernel::accept() {
   for (const auto& [present, proposed] : slices_[proposed_].commits) cells_[present] = cells_[proposed];
   log_score_ += difference_;
   proposed_bits_.reset();
-  if (++accepted_ % kRescoreEvery == 0) score_all();
+  if (++accepted_ % kRescoreEvery == 0) follow([this](ChoiceNumber choice) { return value(choice); });
 }
 
 Scalar Kernel::value(ChoiceNumber choice) const {

@@ -132,8 +132,10 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
   for (const TraceChoice& choice : trace.choices) {
     const bool open = is_choice(graph.node(choice.variable).op);
     const Scalar only = open ? Scalar{} : graph.scalar(choice.variable);
+    const bool fixed = std::all_of(choice.parameters.begin(), choice.parameters.end(),
+                                   [&](NodeId each) { return graph.node(each).is_constant(); });
     program.choices.push_back({open ? cells.of(choice.variable) : kNoCell, choice.address, choice.domain,
-                               cells.of(choice.parameters), only});
+                               cells.of(choice.parameters), only, fixed});
   }
   cells.need(outputs);
   cells.write(program.output_code);

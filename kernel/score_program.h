@@ -40,6 +40,7 @@ struct ScoreProgram {
     Distribution distribution;     // with the parameters that it had when it was traced
     std::vector<Cell> parameters;  // as of log_density() (tracegraph/density.h)
     Scalar only_value;             // of a choice without a cell
+    bool fixed_parameters;         // they depend on no choice
   };
 
   std::vector<Scalar> cells;  // constants have their values, all others wait to be set or computed

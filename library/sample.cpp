@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <solitaire/sample.h>
 
-#include "engines/sample/diagnostics.h"
+#include "engines/sample/diagnostics/draw_summary.h"
 #include "engines/sample/sampling.h"
 #include "engines/tuning.h"
 #include "library/draw_order.h"
@@ -69,6 +69,35 @@ SampledNumber summarized(const std::string& name, const ChainDraws& draws) {
   const DrawSummary found = summarize(draws);
   return {name,      found.mean, found.sd,       found.mcse,     found.q5,
           found.q50, found.q95,  found.ess_bulk, found.ess_tail, found.rhat};
+}
+
+/// What chains came across that makes draws doubtful.
+void warn_of_troubles(const std::vector<ChainResult>& chains, std::uint64_t sweeps, SampleSummary& summary) {
+  Troubles all;
+  for (const ChainResult& chain : chains) {
+    all.divergences += chain.troubles.divergences;
+    all.unbounded += chain.troubles.unbounded;
+    all.infinities += chain.troubles.infinities;
+  }
+  const auto warn = [&](const std::string& text) { summary.warnings.push_back(text); };
+  if (2 * all.unbounded > sweeps) {
+    warn(
+        "the density has no end along some choice, all others being what they are, so it is that of no "
+        "distribution; a factor may grow faster than the choice's own distribution falls");
+  }
+  if (all.infinities > 0) {
+    warn(fmt::format(
+        "the density is infinite where {} steps led, which were refused; keep factors finite, and scales and "
+        "arguments of log away from 0",
+        all.infinities));
+  }
+  if (all.divergences > 0) {
+    warn(fmt::format(
+        "{} trajectories of the No-U-Turn sampler diverged: somewhere the density bends too sharply for its "
+        "steps, and draws from there may be missing; draw normal(0, 1) and multiply it by its scale rather "
+        "than normal(0, scale), or ask for a longer warm-up (--warmup)",
+        all.divergences));
+  }
 }
 
 void add_moves(const std::vector<ChainResult>& chains, SampleSummary& summary) {
@@ -212,6 +241,7 @@ class Sampler::State {
     add_moves(chains_, summary);
     add_slowness(summary);
     add_warnings(summary, partial, stopped);
+    warn_of_troubles(chains_, options_.thin * summary.draws, summary);
     return summary;
   }
 

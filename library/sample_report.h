@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engines/sample/diagnostics.h"
+#include "engines/sample/diagnostics/draw_summary.h"
 
 namespace solitaire::api {
 

@@ -29,6 +29,7 @@ class Chain {
                     std::vector<double>& numbers) = 0;
   /// The steps since the warm-up ended.
   virtual MoveCounts moves() const = 0;
+  virtual Troubles troubles() const = 0;
   /// Why the chain takes slower steps than it could, if it does.
   virtual std::optional<Diagnostic> slowed_by() const { return std::nullopt; }
 };

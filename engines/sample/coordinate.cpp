@@ -4,39 +4,52 @@
 
 namespace solitaire {
 
-Coordinate coordinate_of(Distribution::Family family) {
-  using Family = Distribution::Family;
-  switch (family) {
+using Family = Distribution::Family;
+
+Coordinate::Coordinate(const Distribution& distribution) {
+  switch (distribution.family) {
     case Family::kExponential:
     case Family::kGamma:
-      return Coordinate::kLog;
+      kind_ = Kind::kLog;
+      break;
     case Family::kBeta:
-      return Coordinate::kLogOdds;
+      kind_ = Kind::kLogOdds;
+      break;
+    case Family::kUniform:
+      kind_ = Kind::kLogOdds;
+      low_ = distribution.a;
+      high_ = distribution.b;
+      break;
     default:
-      return Coordinate::kPlain;
+      break;
   }
 }
 
-double to_coordinate(Coordinate coordinate, double value) {
-  if (coordinate == Coordinate::kPlain) return value;
-  return coordinate == Coordinate::kLog ? std::log(value) : std::log(value / (1 - value));
+double Coordinate::of(double value) const {
+  if (kind_ == Kind::kPlain) return value;
+  return kind_ == Kind::kLog ? std::log(value) : std::log((value - low_) / (high_ - value));
 }
 
-double from_coordinate(Coordinate coordinate, double at) {
-  if (coordinate == Coordinate::kPlain) return at;
-  return coordinate == Coordinate::kLog ? std::exp(at) : 1 / (1 + std::exp(-at));
+double Coordinate::value(double at) const {
+  if (kind_ == Kind::kPlain) return at;
+  return kind_ == Kind::kLog ? std::exp(at) : low_ + (high_ - low_) / (1 + std::exp(-at));
 }
 
-double log_derivative(Coordinate coordinate, double value) {
-  if (coordinate == Coordinate::kPlain) return 0;
-  return coordinate == Coordinate::kLog ? std::log(value) : std::log(value * (1 - value));
+double Coordinate::log_derivative(double value) const {
+  if (kind_ == Kind::kPlain) return 0;
+  if (kind_ == Kind::kLog) return std::log(value);
+  return std::log((value - low_) * ((high_ - value) / (high_ - low_)));
+}
+
+Coordinate::Slopes Coordinate::slopes(double value) const {
+  if (kind_ == Kind::kPlain) return {};
+  if (kind_ == Kind::kLog) return {value, 1};
+  const double share = (value - low_) / (high_ - low_);
+  return {(value - low_) * (1 - share), 1 - 2 * share};
 }
 
 double usual_step(const Distribution& distribution) {
-  using Family = Distribution::Family;
   switch (distribution.family) {
-    case Family::kUniform:
-      return 0.2 * (distribution.b - distribution.a);
     case Family::kNormal:
       return 0.5 * distribution.b;
     case Family::kNormalSharp:

@@ -5,15 +5,32 @@
 
 namespace solitaire {
 
-/// The coordinate in which a float walks: itself, its logarithm or its log odds, so that it stays where its
-/// family has it.
-enum class Coordinate : std::uint8_t { kPlain, kLog, kLogOdds };
+/// The coordinate in which a float walks: itself, its logarithm, or the log odds of its place between two
+/// ends, so that it stays where its distribution has it.
+class Coordinate {
+ public:
+  /// The float itself.
+  Coordinate() = default;
+  /// A coordinate that never leads out of what the distribution can be, with the parameters that it has.
+  explicit Coordinate(const Distribution& distribution);
 
-Coordinate coordinate_of(Distribution::Family family);
-double to_coordinate(Coordinate coordinate, double value);
-double from_coordinate(Coordinate coordinate, double at);
-/// The logarithm of the derivative of the value by the coordinate, where the value is that.
-double log_derivative(Coordinate coordinate, double value);
+  double of(double value) const;
+  double value(double at) const;
+  /// The logarithm of the derivative of the value by the coordinate, where the value is that.
+  double log_derivative(double value) const;
+
+  /// By how much a value, and the logarithm of that derivative, grow with the coordinate.
+  struct Slopes {
+    double value = 1;
+    double log_derivative = 0;
+  };
+  Slopes slopes(double value) const;
+
+ private:
+  enum class Kind : std::uint8_t { kPlain, kLog, kLogOdds };
+  Kind kind_ = Kind::kPlain;
+  double low_ = 0, high_ = 1;  // the ends, for log odds
+};
 
 /// How far a float may go in its coordinate before anything is known but its distribution.
 double usual_step(const Distribution& distribution);

@@ -22,6 +22,7 @@ class LightweightChain : public Chain {
     returned.read(plain(state_.value), names, numbers);
   }
   MoveCounts moves() const override { return moves_.named(); }
+  Troubles troubles() const override { return {0, 0, rerun_.infinities()}; }
 
  private:
   void step();

@@ -26,6 +26,20 @@ struct MoveCount {
 };
 using MoveCounts = std::map<std::string, MoveCount>;
 
+/// What makes draws doubtful, whatever they look like.
+enum class Trouble : std::uint8_t {
+  kDivergence,  // a trajectory whose steps are too long for how the density bends
+  kUnbounded,   // along one choice, all others being what they are, the density has no distribution
+  kCount_
+};
+
+/// How often there was trouble.
+struct Troubles {
+  std::uint64_t divergences = 0;
+  std::uint64_t unbounded = 0;
+  std::uint64_t infinities = 0;  // the density was infinite, which counts as impossible
+};
+
 class MoveTally {
  public:
   void add(Move move, bool accepted) {
@@ -33,7 +47,12 @@ class MoveTally {
     ++count.tried;
     if (accepted) ++count.accepted;
   }
-  void clear() { counts_ = {}; }
+  void add(Trouble trouble) { ++troubles_[static_cast<std::size_t>(trouble)]; }
+  void clear() { *this = {}; }
+  Troubles troubles() const {
+    return {troubles_[static_cast<std::size_t>(Trouble::kDivergence)],
+            troubles_[static_cast<std::size_t>(Trouble::kUnbounded)], 0};
+  }
   /// Those that were tried, by their names.
   MoveCounts named() const {
     constexpr std::array<const char*, kMoves> kNames = {"prior", "other value", "neighbour", "walk",
@@ -47,6 +66,7 @@ class MoveTally {
  private:
   static constexpr std::size_t kMoves = static_cast<std::size_t>(Move::kCount_);
   std::array<MoveCount, kMoves> counts_{};
+  std::array<std::uint64_t, static_cast<std::size_t>(Trouble::kCount_)> troubles_{};
 };
 
 }  // namespace solitaire

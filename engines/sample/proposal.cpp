@@ -53,9 +53,9 @@ Proposal Proposer::neighbour(const Distribution& distribution, TypedScalar value
 Proposal Proposer::walk(double scale, const Distribution& distribution, TypedScalar value) {
   const double x = value.as_float();
   const double step = scale * usual_step(distribution) * draw_normal(stream_);
-  const Coordinate coordinate = coordinate_of(distribution.family);
-  const double proposed = from_coordinate(coordinate, to_coordinate(coordinate, x) + step);
-  const double log_ratio = log_derivative(coordinate, proposed) - log_derivative(coordinate, x);
+  const Coordinate coordinate(distribution);
+  const double proposed = coordinate.value(coordinate.of(x) + step);
+  const double log_ratio = coordinate.log_derivative(proposed) - coordinate.log_derivative(x);
   return {TypedScalar::of(proposed), log_ratio, Move::kWalk};
 }
 

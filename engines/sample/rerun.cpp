@@ -26,7 +26,7 @@ class Rerun::Answers : public Choices {
 
   std::optional<TypedScalar> answer(AddressId address, const Distribution& domain) override {
     const std::uint32_t position = rerun_.position(address);
-    if (position == kNowhere) return drawn(domain);
+    if (position == kNowhere) return drawn(address, domain);
     rerun_.met_[position] = true;
     const TypedScalar known = position == changed_ ? value_ : rerun_.state_->choices[position].value;
     if (known.type() == domain.type()) return known;
@@ -40,8 +40,8 @@ class Rerun::Answers : public Choices {
   bool possible() const { return possible_; }
 
  private:
-  std::optional<TypedScalar> drawn(const Distribution& domain) {
-    const TypedScalar value = domain.sample(rerun_.stream_);
+  TypedScalar drawn(AddressId address, const Distribution& domain) {
+    const TypedScalar value = rerun_.fresh_values_.draw(address, domain);
     drawn_density_ += domain.log_density(value);
     return value;
   }
@@ -54,7 +54,7 @@ class Rerun::Answers : public Choices {
 };
 
 Rerun::Rerun(const Program& program, const ParamValues& params, const Limits& limits, RandomStream& stream)
-    : executor_(program, params, addresses_, limits), stream_(stream) {}
+    : executor_(program, params, addresses_, limits), stream_(stream), fresh_values_(stream) {}
 
 SampledState Rerun::start() {
   std::optional<Span> ruled_out;
@@ -82,6 +82,7 @@ bool Rerun::draw(SampledState& state, std::optional<Span>& ruled_out) {
   Answers answers(*this);
   Execution& execution = executor_.run(answers);
   ruled_out = execution.rejection ? execution.rejection->whole : execution.weightless;
+  fresh_values_.clear();
   take(execution, state);
   return state.log_density() > kImpossible;
 }
@@ -95,8 +96,14 @@ void Rerun::take(Execution& execution, SampledState& state) {
     state.log_prior += state.log_priors.back();
   }
   state.log_weight = execution.log_weight - static_cast<double>(execution.cost);
-  if (execution.rejection || std::isnan(state.log_density())) state.log_weight = kImpossible;
+  if (state.log_density() == HUGE_VAL) ++infinities_;
+  if (execution.rejection || !std::isfinite(state.log_density())) state.log_weight = kImpossible;
   state.value = std::move(execution.value);
+}
+
+void Rerun::repeat(SampledState& repeated) {
+  Answers answers(*this);
+  take(executor_.run(answers), repeated);
 }
 
 void Rerun::stand_at(const SampledState& state) {
@@ -120,6 +127,7 @@ double Rerun::propose(std::size_t picked, const Proposal& proposal, SampledState
   Answers answers(*this);
   answers.change(static_cast<std::uint32_t>(picked), proposal.value);
   take(executor_.run(answers), proposed);
+  fresh_values_.clear();
   if (!answers.possible() || !(proposed.log_density() > kImpossible)) return kImpossible;
   const auto count = static_cast<double>(state_->choices.size());
   const auto proposed_count = static_cast<double>(proposed.choices.size());

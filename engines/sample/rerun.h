@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "engines/sample/fresh_values.h"
 #include "engines/sample/proposal.h"
 #include "solitaire/run/evaluator.h"
 
@@ -39,15 +40,21 @@ class Rerun {
 
   /// Proposes another execution, all of whose choices are drawn anew, and returns the same.
   double restart(SampledState& proposed);
+  /// Runs the execution of the state as it is.
+  void repeat(SampledState& repeated);
 
   AddressTable& addresses() { return addresses_; }
+  /// Those that propose() and restart() draw, and then clear.
+  FreshValues& fresh_values() { return fresh_values_; }
+  /// How often the density was infinite, which counts as impossible: no distribution has such a value.
+  std::uint64_t infinities() const { return infinities_; }
 
  private:
   class Answers;
   static constexpr std::uint32_t kNowhere = UINT32_MAX;
 
   bool draw(SampledState& state, std::optional<Span>& ruled_out);
-  static void take(Execution& execution, SampledState& state);
+  void take(Execution& execution, SampledState& state);
   double forgotten() const;
   std::uint32_t position(AddressId address) const {
     return address.index < positions_.size() ? positions_[address.index] : kNowhere;
@@ -56,9 +63,11 @@ class Rerun {
   AddressTable addresses_;
   Executor executor_;
   RandomStream& stream_;
+  FreshValues fresh_values_;
   const SampledState* state_ = nullptr;
   std::vector<std::uint32_t> positions_;  // in the state's choices, by address number
   std::vector<bool> met_;                 // of the state's choices, by the proposed execution
+  std::uint64_t infinities_ = 0;
 };
 
 }  // namespace solitaire

@@ -1,5 +1,5 @@
 #pragma once
-#include "engines/sample/shred.h"
+#include "engines/sample/shred/shred.h"
 #include "engines/solution_stream.h"
 
 namespace solitaire {

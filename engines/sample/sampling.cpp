@@ -8,7 +8,7 @@
 #include "base/large_stack.h"
 #include "engines/sample/lightweight.h"
 #include "engines/sample/returned_numbers.h"
-#include "engines/sample/shred.h"
+#include "engines/sample/shred/shred.h"
 
 namespace solitaire {
 namespace {
@@ -43,6 +43,7 @@ void run_chain(const ChainProgram& own, const SamplingOptions& options, std::siz
   chain->end_warmup();
   const auto account = [&] {
     result.moves = chain->moves();
+    result.troubles = chain->troubles();
     result.slowed_by = chain->slowed_by();
   };
   std::vector<std::string> names;

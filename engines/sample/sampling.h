@@ -34,6 +34,7 @@ struct SamplingOptions {
 struct ChainResult {
   DrawTable draws;
   MoveCounts moves;
+  Troubles troubles;
   std::optional<Diagnostic> slowed_by;  // see Chain
   bool stopped = false;                 // by the limits' stop signal, before all draws were there
 };

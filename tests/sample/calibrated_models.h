@@ -14,6 +14,9 @@ inline constexpr CalibratedModel kCalibratedModels[] = {
      2},
     {"w = dirichlet([1, 2, 1]); theta = w[1];", "categorical(w)", "Categorical(w)", 4},
     {"u = uniform(0, 2); theta = poisson(1 + u);", "normal(theta * u, 1)", "Normal(theta * u, 1)", 2},
+    // Long enough for the No-U-Turn sampler to know how the floats lie.
+    {"u = uniform(0, 3); m = normal(0, 1); theta = exponential(1 + u);", "normal(m + u, theta)",
+     "Normal(m + u, theta)", 4, 200},
 };
 
 }  // namespace solitaire

@@ -59,7 +59,7 @@ double calibration(const CalibratedModel& model, SamplingOptions::Engine engine,
                    std::uint32_t data_sets) {
   SamplingOptions options;
   options.engine = engine;
-  options.warmup = 20;
+  options.warmup = model.warmup;
   options.draws = kDraws;
   options.thin = kThin;
   std::array<double, kBins> counts{};

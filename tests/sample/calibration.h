@@ -12,6 +12,7 @@ struct CalibratedModel {
   const char* draw;  // a datum, such as "normal(theta, 1)"
   const char* datum;
   std::uint32_t count;
+  std::uint64_t warmup = 20;
 };
 
 /// Simulation-based calibration (Talts, Betancourt, Simpson, Vehtari and Gelman 2018): draws unknowns and

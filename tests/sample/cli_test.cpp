@@ -142,6 +142,8 @@ TEST_CASE("command: data come from tables and JSON, and a report shows the draws
                  "for x, y in points: observe(Normal(m * x, 1), y);\nreturn m, points;\n");
   const std::string table = place.file("points.csv", "\xef\xbb\xbfx, \"the y\"\r\n1, 2.5\r\n2, -1e1\r\n");
   const std::string json = place.file("points.json", "[[1, 2.5], [2, -10.0]]");
+  const std::string others[] = {place.file("tabs.csv", "x\tthe y\n1\t2.5\n2\t-1e1\n"),
+                                place.file("semicolons.csv", "x; the y\n1; 2.5\n2; -1e1")};
   const fs::path report = place / "report.html";
   const Outcome of_table =
       run_solitaire({"sample", script, "-q", "--json", "-n", "100", "--warmup", "10", "--data",
@@ -151,6 +153,12 @@ TEST_CASE("command: data come from tables and JSON, and a report shows the draws
                                          "--data", "points=" + json, "--draws", place / "b.csv"});
   REQUIRE(of_json.status == 0);
   CHECK(bytes_of(place / "a.csv") == bytes_of(place / "b.csv"));
+  for (const std::string& other : others) {
+    REQUIRE(run_solitaire({"sample", script, "-q", "-n", "100", "--warmup", "10", "--data", "points=" + other,
+                           "--draws", place / "c.csv"})
+                .status == 0);
+    CHECK(bytes_of(place / "c.csv") == bytes_of(place / "a.csv"));
+  }
   const auto parameters = nlohmann::json::parse(of_table.out)["parameters"];
   REQUIRE(parameters.size() == 5);
   CHECK(parameters[4]["name"] == "points[1][1]");
@@ -180,6 +188,11 @@ TEST_CASE("command: data that cannot be read are named") {
   const std::string words = place.file("words.csv", "value\ninf\nnan\n1e999\n");
   const Outcome of_words = run_solitaire({"solve", script, "--data", "xs=" + words});
   CHECK(of_words.out.find("solution 1: 3") == 0);
+  CHECK(complaint("comma.csv", "x;y\n1;2\n1,5;2\n")
+            .find("comma.csv: row 2 of the data has the number 1,5 with a comma") != std::string::npos);
+  CHECK(
+      complaint("mixed.csv", "1,5;2,5\n").find("mixed.csv: row 1 of the data has the cell 5;2; put either") !=
+      std::string::npos);
   CHECK(complaint("data.txt", "1").find("data end in .json or .csv") != std::string::npos);
   CHECK(complaint("open.csv", "1\n\"2\n3\n").find("open.csv: a double quote in row 2 is never closed") !=
         std::string::npos);
@@ -317,6 +330,29 @@ TEST_CASE("command: a mistake that an execution comes to is reported") {
   CHECK(outcome.status == 3);
   CHECK(outcome.err.find("wrong.sol:2:18: error: the sd of 'normal' is a positive number") !=
         std::string::npos);
+}
+
+/// The warnings of a program's summary, one after the other.
+std::string warnings_of(const std::string& text) {
+  const Workplace place;
+  const Outcome outcome =
+      run_solitaire({"sample", place.file("odd.sol", text), "-q", "--json", "--seed", "4"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  return nlohmann::json::parse(outcome.out)["warnings"].dump();
+}
+
+TEST_CASE("command: densities that are no distributions, or too sharp to follow, are warned of") {
+  const std::string improper = warnings_of("x = normal(0, 1);\nfactor(x * x);\nreturn x;\n");
+  CHECK(improper.find("has no end along some choice") != std::string::npos);
+  const std::string infinite = warnings_of("s = range(0, 20000);\nfactor(-log(1.0 * s));\nreturn s < 20;\n");
+  CHECK(infinite.find("is infinite") != std::string::npos);
+  // Neal's funnel (2003, section 8).
+  const std::string funnel =
+      warnings_of("v = normal(0, 3);\nx = [normal(0, exp(v / 2)) for i in 1..9];\nreturn v;\n");
+  CHECK(funnel.find("trajectories of the No-U-Turn sampler") != std::string::npos);
+  const std::string plain = warnings_of("v = normal(0, 3);\nx = normal(v, 1);\nreturn v + x;\n");
+  CHECK(plain == "[]");
 }
 
 TEST_CASE("command: numbers that not all draws have are named") {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engines/sample/diagnostics.h"
+#include "engines/sample/diagnostics/draw_summary.h"
 #include "tests/sample/enumeration.h"
 
 namespace solitaire {

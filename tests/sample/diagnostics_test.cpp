@@ -1,12 +1,11 @@
 // Diagnostics of draws against series whose autocorrelation is known.
-#include "engines/sample/diagnostics.h"
-
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
-#include "engines/sample/autocovariance.h"
-#include "engines/sample/normal_quantile.h"
+#include "engines/sample/diagnostics/autocovariance.h"
+#include "engines/sample/diagnostics/draw_summary.h"
+#include "engines/sample/diagnostics/normal_quantile.h"
 #include "tracegraph/drawing.h"
 
 namespace solitaire {

@@ -31,6 +31,13 @@ constexpr Counted kPrograms[] = {
     {"choices that come and go, weighted",
      "n = range(1, 3); c = [flip(0.8) for i in 1..n]; for x in c: factor(cond(x, 0.7, -0.2)); "
      "return 10 * n + sum([cond(x, 1, 0) for x in c]);"},
+    {"a choice that comes, on which a branch depends",
+     "a = flip(0.4); x = if a then (if flip(0.3) then 1 + range(0, 1) else 3) else 0; factor(0.5 * x); "
+     "return x;"},
+    {"a branch of which both sides weigh",
+     "a = flip(0.4); b = range(0, 2); if a then observe(Flip(0.9), b > 0) else { factor(-1); factor(0.3 * "
+     "b); }"
+     "return if a then b else 5 + b;"},
     {"another choice at one address", "x = if flip(0.4) then range(0, 1) else 5 + range(0, 2); return x;"},
     {"a recursion",
      "fun depth(d) { return if d < 3 and flip(0.6) then 1 + depth(d + 1) else 0; } return depth(0);"},

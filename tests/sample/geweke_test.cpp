@@ -4,7 +4,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
-#include "engines/sample/diagnostics.h"
+#include "engines/sample/diagnostics/draw_summary.h"
 #include "engines/sample/returned_numbers.h"
 #include "engines/sample/sampling.h"
 #include "solitaire/value/plain_copy.h"

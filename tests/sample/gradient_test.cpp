@@ -5,9 +5,9 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
-#include "engines/sample/diagnostics.h"
-#include "engines/sample/joint_move.h"
-#include "engines/sample/trajectory.h"
+#include "engines/sample/diagnostics/draw_summary.h"
+#include "engines/sample/shred/joint_move.h"
+#include "engines/sample/shred/trajectory.h"
 #include "kernel/compiler.h"
 #include "kernel/machine.h"
 #include "tests/sample/traced.h"
@@ -115,7 +115,7 @@ TEST_CASE("gradient: slopes of angles") {
   }
   program.cells.resize(11);
   for (const Cell cell : {8U, 9U})
-    program.choices.push_back({cell, AddressId{cell}, Distribution::normal(0, 1), {0, 1}, {}});
+    program.choices.push_back({cell, AddressId{cell}, Distribution::normal(0, 1), {0, 1}, {}, true});
   program.code.push_back({Op::kAtan2, 10, {8, 9, 0}});
   program.terms = {10};
   Kernel kernel(std::move(program));

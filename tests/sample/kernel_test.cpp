@@ -5,8 +5,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
-#include "engines/sample/conditional.h"
 #include "engines/sample/proposal.h"
+#include "engines/sample/shred/conditional.h"
 #include "kernel/compiler.h"
 #include "kernel/forms.h"
 #include "kernel/machine.h"
@@ -29,7 +29,24 @@ constexpr const char* kTexts[] = {
     "r = exponential(2); c = poisson(r + 1); g = geometric(0.3); observe(Poisson(exp(0.1 * g) + c), 4);"
     "return if c > 1 then r else -r;",
     "a = flip(0.3); b = normal(cond(a, 1, -1), 1); prefer(b > 0, 2); return max(b, 0.5), floor(b);",
+    "a = flip(0.4); x = normal(0, 1); if a then { observe(Normal(x, 1), 1.0); factor(0.1); } else factor(-x "
+    "* x);"
+    "if x > 1 then factor(0.3); return if a and x > 0 then x else 2 * x;",
+    "a = flip(0.4); b = if a then normal(0, 1) else 0.5; return a, b;",
 };
+
+TEST_CASE("kernel: executions share a path where the sides of a branch only compute or weigh") {
+  const auto branches = [](const char* text) { return Traced(text, 2).structure.branches; };
+  CHECK(!branches(
+      "a = flip(); x = normal(0, 1); return if a then x else if x > 1 then log(1 + x * x) else 0.0;"));
+  CHECK(!branches(
+      "x = normal(0, 1); if x > 0 then observe(Normal(x, 1), 2) else { factor(x); factor(-1); } return x;"));
+  CHECK(branches("a = flip(); return if a then normal(0, 1) else 0.0;"));
+  CHECK(branches("a = flip(); b = 0; if a then b = 1; return b;"));
+  CHECK(branches("a = flip(); xs = [1, 2]; return if a then xs[1] else xs[2];"));
+  // A side that makes a mistake where it is not taken.
+  CHECK(branches("a = flip(1.0); if a then factor(1) else observe(Normal(0, -1), 2); return a;"));
+}
 
 TEST_CASE("kernel: the score is that of the execution, and outputs are what it returns") {
   for (const char* text : kTexts) {
@@ -88,6 +105,37 @@ TEST_CASE(
   CHECK(scored > 50);
   CHECK(impossible > 0);
   CHECK(left > 0);
+}
+
+TEST_CASE("forms: a choice between 0 and 1 has a known form only where these ends do not move") {
+  for (std::uint64_t seed = 1; seed < 9; ++seed) {
+    Traced moving("g = geometric(0.9); u = uniform(0, g + 1); return u;", seed);
+    CHECK(moving.structure.forms[1] == Form::kUnknown);
+  }
+  Traced fixed("u = uniform(0, 1); observe(Flip(u), true); return u;", 1);
+  CHECK(fixed.structure.forms[0] == Form::kBeta);
+}
+
+TEST_CASE("kernel: what a choice's distribution is made of is computed before the choice is met") {
+  std::size_t computed = 0;
+  const char* const ints =
+      "g = geometric(0.4); u = uniform(g, g + 1); k = range(g, g + 3); c = choose([1, 2], weights: [g + 1, "
+      "2]);"
+      "return u, k, c;";
+  for (const char* text : {kTexts[0], kTexts[1], kTexts[2], kTexts[3], kTexts[4], ints}) {
+    INFO(text);
+    Traced traced(text, 3);
+    const ScoreProgram& program = traced.kernel().program();
+    std::vector<bool> made(program.cells.size(), false);
+    for (const Instruction& step : program.code) made[step.result] = true;
+    for (const ScoreProgram::Choice& choice : program.choices) {
+      for (const Cell parameter : choice.parameters) {
+        CHECK((!made[parameter] || parameter < choice.cell));
+        computed += made[parameter] ? 1 : 0;
+      }
+    }
+  }
+  CHECK(computed > 8);
 }
 
 TEST_CASE("kernel: a change of all floats is scored as by computing all anew") {

@@ -1,13 +1,13 @@
 // Slice sampling of one choice, all else being fixed, against distributions that are known or integrated
 // numerically.
-#include "engines/sample/slice_sampler.h"
+#include "engines/sample/shred/slice_sampler.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
 #include <functional>
 #include <numeric>
 
-#include "engines/sample/diagnostics.h"
+#include "engines/sample/diagnostics/draw_summary.h"
 #include "tests/sample/traced.h"
 
 namespace solitaire {
@@ -40,10 +40,12 @@ const Line kLines[] = {
     {"g = geometric(0.3); factor(0.2 * g - 0.01 * g * g); return g;",
      [](double g) { return g * std::log(0.7) + 0.2 * g - 0.01 * g * g; }, 0, 200, 1},
     // A gap that an interval of the usual width, 5, steps over now and then, from either side as often.
-    {"u = uniform(-1.5, 11); factor(cond(abs(u - 4.5) > 4.5, -1000, 0) + cond(abs(u - 2.5) < 1.5, -1000, "
+    {"u = normal(4.5, 5); factor(cond(abs(u - 4.5) > 4.5, -1000, 0) + cond(abs(u - 2.5) < 1.5, -1000, "
      "0)); return u;",
-     [](double u) { return (u >= 0 && u <= 1) || (u >= 4 && u <= 9) ? 0.0 : -1000.0; }, 0.0005, 9, 0.001,
-     false},
+     [](double u) {
+       return ((u >= 0 && u <= 1) || (u >= 4 && u <= 9) ? 0.0 : -1000.0) - (u - 4.5) * (u - 4.5) / 50;
+     },
+     0.0005, 9, 0.001, false},
 };
 
 /// The integral of f times the density.

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "engines/sample/diagnostics.h"
+#include "engines/sample/diagnostics/draw_summary.h"
 #include "engines/sample/sampling.h"
 #include "tests/sample/enumeration.h"
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "engines/sample/rerun.h"
-#include "engines/sample/traced_structure.h"
+#include "engines/sample/shred/traced_structure.h"
 #include "tests/sample/enumeration.h"
 
 namespace solitaire {

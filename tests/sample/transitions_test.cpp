@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "engines/sample/lightweight.h"
-#include "engines/sample/shred.h"
+#include "engines/sample/shred/shred.h"
 #include "tests/sample/enumeration.h"
 
 namespace solitaire {

@@ -1,12 +1,12 @@
-#include "engines/sample/diagnostics.h"
+#include "engines/sample/diagnostics/draw_summary.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "engines/sample/autocovariance.h"
-#include "engines/sample/normal_quantile.h"
+#include "engines/sample/diagnostics/autocovariance.h"
+#include "engines/sample/diagnostics/normal_quantile.h"
 
 namespace solitaire {
 namespace {

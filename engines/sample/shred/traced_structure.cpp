@@ -1,4 +1,4 @@
-#include "engines/sample/traced_structure.h"
+#include "engines/sample/shred/traced_structure.h"
 
 #include "engines/sample/state_choices.h"
 #include "solitaire/value/merge.h"
@@ -43,7 +43,8 @@ TracedStructure trace_structure(const Program& program, const ParamValues& param
   std::vector<double> values;
   returned.read(plain(traced.execution.value), names, values);
   std::vector<Form> forms = forms_of(kernel);
-  return {std::move(kernel), std::move(forms), std::move(names)};
+  const bool branches = !kernel.program().assumed.empty();
+  return {std::move(kernel), std::move(forms), std::move(names), branches, {}};
 }
 
 bool TracedStructure::load(const SampledState& state) {
@@ -51,10 +52,32 @@ bool TracedStructure::load(const SampledState& state) {
   if (choices.size() != state.choices.size()) return false;
   std::vector<Scalar> values;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (choices[i].address != state.choices[i].address) return false;
-    values.push_back(state.choices[i].value.scalar());
+    const MetChoice& choice = state.choices[i];
+    if (choices[i].address != choice.address) return false;
+    if (choices[i].distribution.type() != choice.value.type()) return false;
+    values.push_back(choice.value.scalar());
   }
   return kernel.load(values) == Kernel::Outcome::kScored;
+}
+
+SampledState state_of(const Kernel& kernel) {
+  SampledState state;
+  for (ChoiceNumber i = 0; i < kernel.program().choices.size(); ++i) {
+    MetChoice choice;
+    choice.address = kernel.program().choices[i].address;
+    choice.domain = kernel.distribution(i);
+    choice.value = TypedScalar(choice.domain.type(), kernel.value(i));
+    state.log_priors.push_back(choice.domain.log_density(choice.value));
+    state.log_prior += state.log_priors.back();
+    state.choices.push_back(std::move(choice));
+  }
+  state.log_weight = kernel.log_score() - state.log_prior;
+  return state;
+}
+
+double log_prior(const Kernel& kernel, ChoiceNumber choice) {
+  const Distribution distribution = kernel.distribution(choice);
+  return distribution.log_density(TypedScalar(distribution.type(), kernel.value(choice)));
 }
 
 }  // namespace solitaire

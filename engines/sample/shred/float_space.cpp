@@ -1,40 +1,34 @@
-#include "engines/sample/float_space.h"
+#include "engines/sample/shred/float_space.h"
 
 #include <cmath>
 
 namespace solitaire {
 namespace {
 
-/// By how much a value, and the logarithm of its derivative, grow with the coordinate.
-struct Slopes {
-  double value = 1;
-  double log_derivative = 0;
-};
-
-Slopes slopes_of(Coordinate coordinate, double value) {
-  if (coordinate == Coordinate::kPlain) return {};
-  if (coordinate == Coordinate::kLog) return {value, 1};
-  return {value * (1 - value), 1 - 2 * value};
+/// Between ends that move with other floats, a float moves as it is: its coordinate would move with them.
+Coordinate coordinate_of(const ScoreProgram::Choice& choice) {
+  const bool has_ends = choice.distribution.family == Distribution::Family::kUniform;
+  return has_ends && !choice.fixed_parameters ? Coordinate() : Coordinate(choice.distribution);
 }
 
 }  // namespace
 
 FloatSpace::FloatSpace(Kernel& kernel) : kernel_(kernel), values_(kernel.floats().size()) {
   for (const ChoiceNumber each : kernel.floats()) {
-    coordinates_.push_back(coordinate_of(kernel.program().choices[each].distribution.family));
-    present_derivative_ += log_derivative(coordinates_.back(), kernel.value(each).f);
+    coordinates_.push_back(coordinate_of(kernel.program().choices[each]));
+    present_derivative_ += coordinates_.back().log_derivative(kernel.value(each).f);
   }
 }
 
 std::vector<double> FloatSpace::present() const {
   std::vector<double> at;
   for (std::size_t i = 0; i < size(); ++i)
-    at.push_back(to_coordinate(coordinates_[i], kernel_.value(kernel_.floats()[i]).f));
+    at.push_back(coordinates_[i].of(kernel_.value(kernel_.floats()[i]).f));
   return at;
 }
 
 Kernel::Outcome FloatSpace::propose(std::span<const double> at) {
-  for (std::size_t i = 0; i < size(); ++i) values_[i] = from_coordinate(coordinates_[i], at[i]);
+  for (std::size_t i = 0; i < size(); ++i) values_[i] = coordinates_[i].value(at[i]);
   return kernel_.propose_floats(values_);
 }
 
@@ -42,8 +36,8 @@ double FloatSpace::height(std::span<const double> at, std::span<double> slopes) 
   if (propose(at) != Kernel::Outcome::kScored) return -HUGE_VAL;
   double height = kernel_.difference() - present_derivative_;
   for (std::size_t i = 0; i < size(); ++i) {
-    height += log_derivative(coordinates_[i], values_[i]);
-    const Slopes along = slopes_of(coordinates_[i], values_[i]);
+    height += coordinates_[i].log_derivative(values_[i]);
+    const Coordinate::Slopes along = coordinates_[i].slopes(values_[i]);
     slopes[i] = kernel_.slope(i) * along.value + along.log_derivative;
     if (!std::isfinite(slopes[i])) return -HUGE_VAL;
   }

@@ -4,6 +4,7 @@
 
 #include "engines/sample/rerun.h"
 #include "engines/sample/returned_numbers.h"
+#include "engines/sample/shred/passages.h"
 #include "kernel/forms.h"
 #include "kernel/kernel.h"
 
@@ -14,7 +15,11 @@ struct TracedStructure {
   Kernel kernel;
   std::vector<Form> forms;         // of the choices
   std::vector<std::string> names;  // of the numbers that the program returns, which are the kernel's outputs
+  bool branches;                   // whether a branch depends on some choice
+  Passages passages;
 
+  /// Returns true if no change of the choice leads to another path.
+  bool keeps_path(ChoiceNumber choice) const { return kernel.slice(choice).assumed.empty(); }
   /// Returns true if an execution with these choices takes this path; then the kernel has its values.
   bool load(const SampledState& state);
 };
@@ -24,5 +29,10 @@ struct TracedStructure {
 TracedStructure trace_structure(const Program& program, const ParamValues& params, const SampledState& state,
                                 AddressTable& addresses, const Limits& limits,
                                 const ReturnedNumbers& returned);
+
+/// The kernel's values as a state, but for the value that the program returns.
+SampledState state_of(const Kernel& kernel);
+/// The logarithm of the density with which the choice is drawn to be what it is.
+double log_prior(const Kernel& kernel, ChoiceNumber choice);
 
 }  // namespace solitaire

@@ -1,4 +1,4 @@
-#include "engines/sample/conditional.h"
+#include "engines/sample/shred/conditional.h"
 
 #include <algorithm>
 #include <array>

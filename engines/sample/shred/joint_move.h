@@ -1,7 +1,7 @@
 #pragma once
 #include "base/random.h"
-#include "engines/sample/spread.h"
-#include "engines/sample/step_size.h"
+#include "engines/sample/shred/spread.h"
+#include "engines/sample/shred/step_size.h"
 #include "kernel/kernel.h"
 
 namespace solitaire {
@@ -15,8 +15,12 @@ class JointMove {
   JointMove(std::size_t size, bool always);
 
   bool ready() const { return spread_.known() && (always_ || spread_.correlated()); }
-  /// Returns true if the floats moved. The move is tuned if it `learns`.
-  bool move(Kernel& kernel, RandomStream& stream, bool learns);
+  struct Result {
+    bool moved;
+    bool diverged;  // see Trouble::kDivergence
+  };
+  /// The move is tuned if it `learns`.
+  Result move(Kernel& kernel, RandomStream& stream, bool learns);
   /// Is told of the kernel's present state during the warm-up, once in a sweep.
   void watch(Kernel& kernel);
   void end_warmup() { step_size_.settle(); }

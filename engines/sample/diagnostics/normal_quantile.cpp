@@ -1,4 +1,4 @@
-#include "engines/sample/normal_quantile.h"
+#include "engines/sample/diagnostics/normal_quantile.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,9 +1,9 @@
-#include "engines/sample/joint_move.h"
+#include "engines/sample/shred/joint_move.h"
 
 #include <cmath>
 
-#include "engines/sample/float_space.h"
-#include "engines/sample/trajectory.h"
+#include "engines/sample/shred/float_space.h"
+#include "engines/sample/shred/trajectory.h"
 
 namespace solitaire {
 namespace {
@@ -16,12 +16,12 @@ double usual_step_size(std::size_t size) { return std::pow(static_cast<double>(s
 JointMove::JointMove(std::size_t size, bool always)
     : spread_(size), always_(always), step_size_(usual_step_size(size)) {}
 
-bool JointMove::move(Kernel& kernel, RandomStream& stream, bool learns) {
+JointMove::Result JointMove::move(Kernel& kernel, RandomStream& stream, bool learns) {
   FloatSpace space(kernel);
   Trajectory trajectory(space, spread_, step_size_.size(), stream);
   const bool moved = trajectory.run();
   if (learns) step_size_.learn(trajectory.acceptance());
-  return moved;
+  return {moved, trajectory.diverged()};
 }
 
 void JointMove::watch(Kernel& kernel) {

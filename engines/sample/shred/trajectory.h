@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "base/random.h"
-#include "engines/sample/float_space.h"
-#include "engines/sample/spread.h"
+#include "engines/sample/shred/float_space.h"
+#include "engines/sample/shred/spread.h"
 
 namespace solitaire {
 
@@ -20,6 +20,8 @@ class Trajectory {
 
   /// Moves the floats. Returns true if they are not where they were.
   bool run();
+  /// Returns true if the way ended where its steps were too long for what the density is like.
+  bool diverged() const { return diverged_; }
   /// The mean over the trajectory of the probability with which a point would be accepted by itself.
   double acceptance() const { return points_ == 0 ? 0 : acceptance_ / static_cast<double>(points_); }
 
@@ -50,6 +52,7 @@ class Trajectory {
   double first_energy_ = 0;
   double acceptance_ = 0;
   std::uint64_t points_ = 0;
+  bool diverged_ = false;
 };
 
 }  // namespace solitaire

@@ -1,4 +1,4 @@
-#include "engines/sample/autocovariance.h"
+#include "engines/sample/diagnostics/autocovariance.h"
 
 #include <bit>
 #include <cmath>

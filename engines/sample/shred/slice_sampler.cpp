@@ -1,4 +1,4 @@
-#include "engines/sample/slice_sampler.h"
+#include "engines/sample/shred/slice_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ class SliceSampler::Line {
       : kernel_(kernel),
         choice_(choice),
         domain_(kernel.domain(choice)),
-        coordinate_(coordinate_of(domain_.family)),
+        coordinate_(domain_),
         present_(kernel.value(choice)),
         start_(start(stream)) {}
 
@@ -33,7 +33,7 @@ class SliceSampler::Line {
 
   /// Nothing where the point lies past all values.
   std::optional<Scalar> value(double at) const {
-    if (is_float()) return Scalar::of(from_coordinate(coordinate_, at));
+    if (is_float()) return Scalar::of(coordinate_.value(at));
     const double number = std::floor(at);
     if (!(number >= 0) || number > static_cast<double>(domain_.hi - domain_.lo)) return std::nullopt;
     return Scalar::of(domain_.value(static_cast<std::uint64_t>(number)));
@@ -46,14 +46,14 @@ class SliceSampler::Line {
     if (bits_of(*there) == bits_of(present_)) return 0;
     if (kernel_.propose(choice_, *there) != Kernel::Outcome::kScored) return -HUGE_VAL;
     if (!is_float()) return kernel_.difference();
-    return kernel_.difference() + log_derivative(coordinate_, there->f) -
-           log_derivative(coordinate_, present_.f);
+    return kernel_.difference() + coordinate_.log_derivative(there->f) -
+           coordinate_.log_derivative(present_.f);
   }
 
  private:
   bool is_float() const { return domain_.type() == Type::kFloat; }
   double start(RandomStream& stream) const {
-    if (is_float()) return to_coordinate(coordinate_, present_.f);
+    if (is_float()) return coordinate_.of(present_.f);
     return static_cast<double>((present_.i - domain_.lo) / domain_.step) + stream.uniform();
   }
 

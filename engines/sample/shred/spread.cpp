@@ -1,4 +1,4 @@
-#include "engines/sample/spread.h"
+#include "engines/sample/shred/spread.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engines/sample/trajectory.h"
+#include "engines/sample/shred/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,10 @@ bool Trajectory::build(const Point& from, double time, int depth, Part& part) {
   if (!step(from, time, part.low)) return false;
   const double energy = 0.5 * product(part.low.momentum, part.low.momentum) - part.low.height;
   part.log_weight = first_energy_ - energy;
-  if (!(part.log_weight > -kMostError)) return false;
+  if (!(part.log_weight > -kMostError)) {
+    diverged_ = true;
+    return false;
+  }
   acceptance_ += std::min(1.0, std::exp(part.log_weight));
   part.high = part.low;
   part.momentum_sum = part.low.momentum;

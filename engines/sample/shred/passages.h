@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "kernel/kernel.h"
+
+namespace solitaire {
+
+struct TracedStructure;
+
+/// How executions on one path become executions on another when one of their choices changes.
+struct Passage {
+  static constexpr ChoiceNumber kNew = SIZE_MAX;
+
+  TracedStructure* to;
+  std::vector<ChoiceNumber> origins;    // of the choices there: their numbers here, or kNew
+  std::vector<ChoiceNumber> forgotten;  // the choices here that are not there
+};
+
+/// The passages from one structure. Where a change of a choice led before, it may lead again, and then the
+/// execution there can be computed by its trace.
+class Passages {
+ public:
+  /// Those that a change of the choice led through, the last one first.
+  const std::vector<const Passage*>& of(ChoiceNumber choice);
+  /// Notes that a change of the choice led through. Does nothing where the same address has choices of
+  /// different types, of which the one says nothing about the other.
+  void add(const Kernel& from, ChoiceNumber choice, TracedStructure& to);
+  /// The passage was taken again.
+  void repeat(ChoiceNumber choice, const Passage* taken);
+  void forget(const TracedStructure* to);
+
+ private:
+  std::map<const TracedStructure*, Passage> by_end_;
+  std::vector<std::vector<const Passage*>> by_choice_;
+};
+
+}  // namespace solitaire

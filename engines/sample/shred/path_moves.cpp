@@ -1,0 +1,65 @@
+#include "engines/sample/shred/path_moves.h"
+
+#include <cmath>
+
+#include "engines/sample/shred/conditional.h"
+#include "engines/tuning.h"
+
+namespace solitaire {
+
+/// Where no form is known, half of the steps go anywhere, and half to what is about as probable.
+void PathMoves::scan(TracedStructure& structure, bool floats_move, bool learns) {
+  Kernel& kernel = structure.kernel;
+  const ScoreProgram& program = kernel.program();
+  for (ChoiceNumber i = 0; i < program.choices.size(); ++i) {
+    if (program.choices[i].cell == kNoCell || !structure.keeps_path(i)) continue;
+    if (change_by_form(structure, i)) continue;
+    if (stream_.below(2) != 0) {
+      change_anywhere(kernel, i);
+    } else if (!floats_move || program.types[program.choices[i].cell] != Type::kFloat) {
+      change(kernel, i, slice_sampler_.draw(kernel, i, learns), Move::kSlice);
+    }
+  }
+}
+
+/// Draws the choice from its distribution given all others, if that is known.
+bool PathMoves::change_by_form(TracedStructure& structure, ChoiceNumber choice) {
+  Kernel& kernel = structure.kernel;
+  if (kernel.program().choices[choice].distribution.is_finite()) {
+    const Distribution distribution = kernel.domain(choice);
+    if (distribution.size() > tuning::kMostValuesCompared) return false;
+    change(kernel, choice, draw_of_few(kernel, choice, distribution, stream_), Move::kGibbs);
+    return true;
+  }
+  const Form form = structure.forms[choice];
+  if (form == Form::kUnknown) return false;
+  const std::optional<Scalar> value = draw_of_form(kernel, choice, form, stream_);
+  if (value) {
+    change(kernel, choice, *value, Move::kGibbs);
+  } else {
+    moves_.add(Trouble::kUnbounded);
+  }
+  return value.has_value();
+}
+
+void PathMoves::change_anywhere(Kernel& kernel, ChoiceNumber choice) {
+  const Distribution distribution = kernel.distribution(choice);
+  const TypedScalar present(distribution.type(), kernel.value(choice));
+  const Proposal proposal = proposer_.anywhere(distribution, present);
+  const bool possible = distribution.contains(proposal.value) &&
+                        kernel.propose(choice, proposal.value.scalar()) == Kernel::Outcome::kScored;
+  const bool accepted =
+      std::log(stream_.uniform()) < (possible ? kernel.difference() + proposal.log_ratio : -HUGE_VAL);
+  moves_.add(proposal.move, accepted);
+  if (accepted) kernel.accept();
+}
+
+/// A value that other conditions rule out is refused, which is a step of Metropolis's.
+void PathMoves::change(Kernel& kernel, ChoiceNumber choice, Scalar value, Move move) {
+  if (bits_of(value) == bits_of(kernel.value(choice))) return moves_.add(move, true);
+  const bool possible = kernel.propose(choice, value) == Kernel::Outcome::kScored;
+  moves_.add(move, possible);
+  if (possible) kernel.accept();
+}
+
+}  // namespace solitaire
