@@ -1,22 +1,28 @@
 #!/usr/bin/env python3
-"""Steps and effective draws per second of `solitaire sample`, beside programs written by hand, WebPPL and JAGS.
+"""Steps and effective draws per second of `solitaire sample`, beside programs written by hand, WebPPL, JAGS and Stan.
 
-    python3 bench/sampling/compare.py build/app/solitaire build/bench/sampling_twins [--rounds N] [MODEL...]
+    python3 bench/sampling/compare.py BUILD [--rounds N] [MODEL...]
 
-Each model is measured in rounds, in which everything runs once, one after the other; of five rounds, or N, the best counts. So a
-disturbance of the machine meets all alike; seconds are those of the processor, not of the clock. Prints a table in Markdown, a
-row when its model is done.
+BUILD is the folder of a release build with SOLITAIRE_BENCH. Each model is measured in rounds, in which everything runs once, one
+after the other; of five rounds, or N, the best counts. So a disturbance of the machine meets all alike; seconds are those of the
+processor, not of the clock. Prints a table in Markdown, a row when its model is done, and takes about seven minutes in all.
 
-- Solitaire: one chain of each engine. Its seconds contain everything: reading the program, the warm-up, the summary.
+- Solitaire: one chain of each engine. Its seconds contain everything: reading the program, the warm-up, the summary. "slices"
+  are Metropolis steps by compiled slices alone, as the programs by hand make them (bench/sampling/figures.cpp); not of models
+  whose choices come and go.
 - By hand: bench/sampling/twins/, in C++; "rescoring" computes the whole density for each step, "incremental" what changes.
 - WebPPL (`npm install webppl@0.9.15` in bench/sampling/webppl): steps of its kernel MH, of the models in that folder, without
   its start.
-- JAGS (the command `jags`): the models of bench/sampling/jags/, with effective draws by the same estimate as Solitaire's.
+- JAGS (the command `jags`): the models of bench/sampling/jags/, with its start and warm-up, and effective draws by the same
+  estimate as Solitaire's.
+- Stan (the R package `rstan`): the models of bench/sampling/stan/, with effective draws by that estimate. Its seconds are of
+  the warm-up and the draws alone: to compile a model takes most of a minute, which is done before the first round.
 
 What is not installed is left out.
 """
 
 import argparse
+import functools
 import json
 import math
 import re
@@ -43,7 +49,9 @@ MODELS = {
     "polynomial": (50000, 800, 20000),
 }
 JAGS_DRAWS = {"regression": 20000, "rats": 10000, "lda": 2000}
-JAGS_MONITORED = {"regression": ["intercept", "slope"], "rats": ["alpha_c", "beta_c", "tau"], "lda": ["high_share", "low_share"]}
+STAN_DRAWS = {"regression": 4000, "rats": 4000, "lda": 400}
+MONITORED = {"regression": ["intercept", "slope"], "rats": ["alpha_c", "beta_c", "tau"], "lda": ["high_share", "low_share"]}
+OPEN = ["polynomial"]  # models whose choices come and go
 
 
 def data_of(model):
@@ -74,6 +82,11 @@ def solitaire(program, model, engine, draws, seed):
     return {"steps": summary["steps"] / seconds, "ess": min(sizes, default=0) / seconds}
 
 
+def by_slices(program, model, seed):
+    printed = subprocess.run([program, str(TWIN_SECONDS), model, str(seed + 1)], capture_output=True, text=True, check=True)
+    return {"steps": float(printed.stdout)}
+
+
 def by_hand(program, model, kind, seed):
     command = [program, str(seed + 1), str(TWIN_SECONDS), f"{model} {kind}"]
     line = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
@@ -88,21 +101,28 @@ def webppl_command():
     return str(local) if local.exists() else shutil.which("webppl")
 
 
+@functools.cache
+def webppl_start(model):
+    """The seconds until the first sample."""
+    return min(webppl_seconds(model, 1) for _ in range(2))
+
+
 def webppl(model, steps):
+    return {"steps": steps / (webppl_seconds(model, steps) - webppl_start(model))}
+
+
+def webppl_seconds(model, samples):
     text = (HERE / "webppl" / f"{model}.wppl").read_text()
     data = data_of(model)
     if model == "regression":
         points = data["points"]
         data = {"x": [x for x, _ in points], "y": [y for _, y in points]}
-    seconds = []
-    for samples in (1, steps):
-        program = f"var data = {json.dumps(data)};\n{text}\n"
-        program += f"var result = Infer({{method: 'MCMC', kernel: 'MH', samples: {samples}, model: model}});\n'done'\n"
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "model.wppl"
-            file.write_text(program)
-            seconds.append(timed([webppl_command(), file])[1])
-    return {"steps": steps / (seconds[1] - seconds[0])}
+    program = f"var data = {json.dumps(data)};\n{text}\n"
+    program += f"var result = Infer({{method: 'MCMC', kernel: 'MH', samples: {samples}, model: model}});\n'done'\n"
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "model.wppl"
+        file.write_text(program)
+        return timed([webppl_command(), file])[1]
 
 
 # ---- JAGS
@@ -150,7 +170,7 @@ def jags(model, seed):
         (work / "data.R").write_text("".join(r_dump(*each) for each in jags_data(model).items()))
         (work / "start.R").write_text(f'".RNG.name" <- "base::Mersenne-Twister"\n".RNG.seed" <- {seed + 1}\n')
         script = [f'model in "{HERE / "jags" / model}.bug"', 'data in "data.R"', "compile", 'parameters in "start.R"']
-        script += ["initialize", f"update {draws // 4}"] + [f"monitor {name}" for name in JAGS_MONITORED[model]]
+        script += ["initialize", f"update {draws // 4}"] + [f"monitor {name}" for name in MONITORED[model]]
         script += [f"update {draws}", "coda *", "exit"]
         (work / "run.cmd").write_text("\n".join(script) + "\n")
         seconds = timed(["jags", "run.cmd"], work)[1]
@@ -159,10 +179,33 @@ def jags(model, seed):
     return {"ess": min(map(effective_size, monitored)) / seconds}
 
 
+# ---- Stan
+
+
+@functools.cache
+def has_stan():
+    found = shutil.which("Rscript") and subprocess.run(["Rscript", "-e", "library(rstan)"], capture_output=True, check=False)
+    return bool(found) and found.returncode == 0
+
+
+def stan(model, seed, compiled):
+    draws = STAN_DRAWS[model]
+    data = {name: value for name, value in jags_data(model).items() if name not in ("ones", "two")}
+    with tempfile.TemporaryDirectory() as folder:
+        work = Path(folder)
+        (work / "data.R").write_text("".join(r_dump(*each) for each in data.items()))
+        command = ["Rscript", HERE / "stan" / "run.R", HERE / "stan" / f"{model}.stan", compiled / f"{model}.rds"]
+        command += [work / "data.R", str(draws), str(seed + 1), work / "draws.csv", *MONITORED[model]]
+        seconds = float(timed(command)[0].split()[-1])
+        rows = [line.split(",") for line in (work / "draws.csv").read_text().splitlines()]
+    return {"ess": min(effective_size([float(row[i]) for row in rows]) for i in range(len(rows[0]))) / seconds}
+
+
 # ---- the table
 
 
-def runners(program, twins, model):
+def runners(build, compiled, model):
+    program, twins = build / "app" / "solitaire", build / "bench" / "sampling_twins"
     many, few, webppl_steps = MODELS[model]
     found = {
         "shred": lambda seed: solitaire(program, model, "shred", many, seed),
@@ -170,10 +213,15 @@ def runners(program, twins, model):
         "incremental": lambda seed: by_hand(twins, model, "incremental", seed),
         "rescoring": lambda seed: by_hand(twins, model, "rescoring", seed),
     }
+    if model not in OPEN:
+        found["slices"] = lambda seed: by_slices(build / "bench" / "sampling_figures", model, seed)
     if webppl_command() and webppl_steps:
         found["webppl"] = lambda seed: webppl(model, webppl_steps)
     if shutil.which("jags") and model in JAGS_DRAWS:
         found["jags"] = lambda seed: jags(model, seed)
+    if model in STAN_DRAWS and has_stan():
+        stan(model, 0, compiled)
+        found["stan"] = lambda seed: stan(model, seed, compiled)
     return found
 
 
@@ -189,12 +237,14 @@ def best_of_rounds(runs, rounds):
 COLUMNS = {
     "shred, steps/s": ("shred", "steps"),
     "lightweight": ("lightweight", "steps"),
+    "slices": ("slices", "steps"),
     "C++ incremental": ("incremental", "steps"),
     "C++ rescoring": ("rescoring", "steps"),
     "WebPPL MH": ("webppl", "steps"),
     "shred, ESS/s": ("shred", "ess"),
     "lightweight, ESS/s": ("lightweight", "ess"),
     "JAGS, ESS/s": ("jags", "ess"),
+    "Stan, ESS/s": ("stan", "ess"),
 }
 
 
@@ -206,16 +256,16 @@ def shown(rate):
 
 def main():
     parser = argparse.ArgumentParser(description="see the top of this file")
-    parser.add_argument("program")
-    parser.add_argument("twins")
+    parser.add_argument("build", type=Path)
     parser.add_argument("models", nargs="*", metavar="MODEL", default=list(MODELS))
     parser.add_argument("--rounds", type=int, default=5)
     asked = parser.parse_args()
     print("| model | " + " | ".join(COLUMNS) + " |")
     print("| --- " * (len(COLUMNS) + 1) + "|")
-    for model in asked.models:
-        best = best_of_rounds(runners(asked.program, asked.twins, model), asked.rounds)
-        print(f"| {model} | " + " | ".join(shown(best.get(key)) for key in COLUMNS.values()) + " |", flush=True)
+    with tempfile.TemporaryDirectory() as compiled:
+        for model in asked.models:
+            best = best_of_rounds(runners(asked.build, Path(compiled), model), asked.rounds)
+            print(f"| {model} | " + " | ".join(shown(best.get(key)) for key in COLUMNS.values()) + " |", flush=True)
 
 
 if __name__ == "__main__":

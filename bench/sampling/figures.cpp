@@ -4,6 +4,12 @@
 // is. Prints a table in Markdown.
 //
 //   sampling_figures [SECONDS]
+//   sampling_figures SECONDS MODEL [SEED]
+//
+// The second prints how many Metropolis steps compiled slices make in a second, as the programs by hand of
+// bench/sampling/twins/ make them: of a choice that is picked, from its distribution or close by. Steps that
+// would leave the path are refused.
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -12,7 +18,7 @@
 #include <vector>
 
 #include "bench/programs.h"
-#include "engines/sample/traced_structure.h"
+#include "engines/sample/shred/traced_structure.h"
 
 namespace {
 
@@ -106,10 +112,41 @@ void measure(const std::string& model, double time) {
   std::fflush(stdout);
 }
 
+/// How many steps a Metropolis chain on one path makes in a second.
+double metropolis_rate(const std::string& model, double time, std::uint64_t seed) {
+  const Program program = load_example("sampling/" + model + ".sol");
+  const ParamValues params;
+  RandomStream stream(seed, Purpose::kSample, 1);
+  Rerun rerun(program, params, {}, stream);
+  const SampledState state = rerun.start();
+  TracedStructure structure =
+      trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
+  structure.load(state);
+  Kernel& kernel = structure.kernel;
+  Proposer proposer(stream);
+  const auto step = [&](std::size_t) {
+    const ChoiceNumber choice = stream.below(kernel.program().choices.size());
+    if (kernel.program().choices[choice].cell == kNoCell) return;
+    const Distribution distribution = kernel.distribution(choice);
+    const TypedScalar present(distribution.type(), kernel.value(choice));
+    const Proposal proposal =
+        proposer.propose(kernel.program().choices[choice].address, distribution, present);
+    const bool possible = distribution.contains(proposal.value) &&
+                          kernel.propose(choice, proposal.value.scalar()) == Kernel::Outcome::kScored;
+    if (possible && std::log(stream.uniform()) < kernel.difference() + proposal.log_ratio) kernel.accept();
+  };
+  rate(time / 4, step);  // until all slices are compiled
+  return rate(time, step);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const double time = argc > 1 ? std::stod(argv[1]) : 0.2;
+  if (argc > 2) {
+    std::printf("%.0f\n", metropolis_rate(argv[2], time, argc > 3 ? std::stoull(argv[3]) : 1));
+    return 0;
+  }
   std::puts(
       "| model | statements of the trace | mean slice | running again, steps/s | trace / running | slice / "
       "trace | "
