@@ -49,11 +49,6 @@ constexpr std::size_t kMostPasses = 200;
 /// Passes that look for choices which a pin names before the pin counts as wrong. Judgement.
 constexpr std::size_t kPassesForPins = 8;
 
-/// A proof from a few requirements alone is given up after so many conflicts, and no more requirements are
-/// looked at once they have so many nodes. Judgement: both take some milliseconds to a second.
-constexpr std::uint64_t kEffortForLocalProof = 2000;
-constexpr std::size_t kMostNodesForLocalProofs = 1'000'000;
-
 // Different solutions (engines/solve/exclusion.h, series.h, symmetry.h).
 
 /// The solver is told of every known solution once more than a quarter of them, and of this number of others,

@@ -504,5 +504,62 @@ TEST_CASE("cadical: graphs may be deeper than the machine's stack") {
   CHECK(model.holds(deep));
 }
 
+TEST_CASE("wide choices: those of which bits are read as often as orders have no order") {
+  Graph graph;
+  AddressTable addresses;
+  std::vector<NodeId> x;
+  for (int i = 0; i < 6; ++i) {
+    const AddressId address = addresses.site(addresses.root(), std::to_string(i));
+    x.push_back(graph.choice({address, Distribution::range(0, i == 5 ? 200 : 300)}));
+  }
+  const auto apply = [&](Op op, NodeId a, NodeId b) { return graph.apply(op, {a, b}); };
+  const auto differ = [&](NodeId a, NodeId b) { return graph.negation(apply(Op::kEqInt, a, b)); };
+  const std::vector<NodeId> conditions = {
+      apply(Op::kEqInt, x[0], apply(Op::kAdd, x[1], x[2])),  // a sum too wide to have an order
+      apply(Op::kLtInt, x[1], x[2]),
+      apply(Op::kLeInt, x[0], apply(Op::kAdd, x[5], x[3])),
+      differ(x[3], x[4]),
+      differ(x[3], x[2]),
+  };
+  Circuit circuit;
+  struct : ClauseSink {
+    void clause(std::span<const int>) override {}
+  } sink;
+  Cnf cnf(circuit, sink);
+  BitBlaster blaster(graph, circuit, cnf);
+  for (const NodeId condition : conditions) blaster.condition(condition);
+  for (const std::size_t in_bits : {0, 1}) CHECK(blaster.choices().order(in_bits) == nullptr);
+  for (const std::size_t in_order : {2, 3, 4, 5}) CHECK(blaster.choices().order(in_order) != nullptr);
+}
+
+TEST_CASE("wide choices: solvers and the enumerator agree on how many values sums and orders of them leave") {
+  Graph graph;
+  AddressTable addresses;
+  const auto choice = [&](const char* name, std::int64_t most) {
+    return graph.choice({addresses.site(addresses.root(), name), Distribution::range(0, most)});
+  };
+  const NodeId x = choice("x", 300), y = choice("y", 300), s = choice("s", 19);
+  const std::vector<NodeId> conditions = {graph.apply(Op::kEqInt, {s, graph.apply(Op::kAdd, {x, y})}),
+                                          graph.apply(Op::kLtInt, {x, y})};
+  std::size_t expected = 0;
+  for (std::int64_t sum = 0; sum <= 19; ++sum) expected += static_cast<std::size_t>((sum + 1) / 2);
+  const StopSignal never;
+  const std::size_t variables[] = {0, 1, 2};
+  Enumerator enumerator(graph, conditions, variables);
+  std::set<std::array<std::int64_t, 3>> found;
+  while (enumerator.next(never) == Enumerator::Outcome::kFound)
+    found.insert({enumerator.value(0), enumerator.value(1), enumerator.value(2)});
+  CHECK(found.size() == expected);
+  for (const auto& [a, b, sum] : found) CHECK((a + b == sum && a < b));
+  for (const auto& solver : {make_cadical_solver(graph), make_z3_solver(graph, addresses, {})}) {
+    for (const NodeId condition : conditions) solver->add_clause({&condition, 1});
+    for (std::int64_t value : {0, 1, 9, 10}) {
+      const NodeId is = graph.apply(Op::kEqInt, {x, graph.constant(value)});
+      const Verdict verdict = solver->check({&is, 1}, never);
+      CHECK((verdict == Verdict::kSatisfiable) == (value < 10));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace solitaire
