@@ -4,19 +4,18 @@
 #include <optional>
 #include <unordered_map>
 
-#include "engines/sample/shred/traced_structure.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
 namespace {
 
 /// Nothing where choices of different types have an address.
-std::optional<Passage> passage_between(const Kernel& from, TracedStructure& to) {
+std::optional<Passage> passage_between(const Kernel& here, TracedStructure* to, const Kernel& there) {
   std::unordered_map<AddressId, ChoiceNumber> left;
-  const auto& choices = from.program().choices;
+  const auto& choices = here.program().choices;
   for (ChoiceNumber i = 0; i < choices.size(); ++i) left.emplace(choices[i].address, i);
-  Passage made{&to, {}, {}};
-  for (const ScoreProgram::Choice& choice : to.kernel.program().choices) {
+  Passage made{to, {}, {}};
+  for (const ScoreProgram::Choice& choice : there.program().choices) {
     const auto found = left.find(choice.address);
     made.origins.push_back(found == left.end() ? Passage::kNew : found->second);
     if (found == left.end()) continue;
@@ -35,12 +34,12 @@ const std::vector<const Passage*>& Passages::of(ChoiceNumber choice) {
   return by_choice_[choice];
 }
 
-void Passages::add(const Kernel& from, ChoiceNumber choice, TracedStructure& to) {
-  auto found = by_end_.find(&to);
+void Passages::add(const Kernel& here, ChoiceNumber choice, TracedStructure* to, const Kernel& there) {
+  auto found = by_end_.find(to);
   if (found == by_end_.end()) {
-    std::optional<Passage> made = passage_between(from, to);
+    std::optional<Passage> made = passage_between(here, to, there);
     if (!made) return;
-    found = by_end_.emplace(&to, std::move(*made)).first;
+    found = by_end_.emplace(to, std::move(*made)).first;
   }
   repeat(choice, &found->second);
 }

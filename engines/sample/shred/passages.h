@@ -24,9 +24,10 @@ class Passages {
  public:
   /// Those that a change of the choice led through, the last one first.
   const std::vector<const Passage*>& of(ChoiceNumber choice);
-  /// Notes that a change of the choice led through. Does nothing where the same address has choices of
-  /// different types, of which the one says nothing about the other.
-  void add(const Kernel& from, ChoiceNumber choice, TracedStructure& to);
+  /// Notes that a change of the choice, in the kernel `here`, led to a structure whose kernel is `there`.
+  /// Does nothing where the same address has choices of different types, of which the one says nothing about
+  /// the other.
+  void add(const Kernel& here, ChoiceNumber choice, TracedStructure* to, const Kernel& there);
   /// The passage was taken again.
   void repeat(ChoiceNumber choice, const Passage* taken);
   void forget(const TracedStructure* to);

@@ -105,7 +105,8 @@ void ShredChain::foresee(ChoiceNumber choice) {
 }
 
 void ShredChain::note_passage(TracedStructure* from, ChoiceNumber choice, TracedStructure* to) {
-  if (from != nullptr && to != nullptr && from != to) from->passages.add(from->kernel, choice, *to);
+  if (from != nullptr && to != nullptr && from != to)
+    from->passages.add(from->kernel, choice, to, to->kernel);
 }
 
 // ---- executions that are drawn anew
