@@ -58,8 +58,7 @@ void add_explain_options(CLI::App& command, Options& options) {
   command.add_flag("--full", options.full,
                    "show every member of a conflict, also where that is more than a screen");
   command.add_flag("--choices", options.choices, "show the values of every choice in solutions");
-  command.add_flag("--thorough", options.thorough,
-                   "of a program with solutions: give no question up, however long it takes");
+  command.add_flag("--thorough", options.thorough, "give no question up, however long it takes");
   command.add_flag("--json", options.json, "as one JSON object");
 }
 

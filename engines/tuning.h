@@ -91,6 +91,12 @@ constexpr std::int64_t kProvenanceReach = 4096;
 /// A core of so many conditions is first looked for by the places of the text at which they stand. Judgement:
 /// a question about single conditions is dear where they are hundreds.
 constexpr std::size_t kManyConditions = 64;
+/// Conflicts of the search after which the question whether a member of a conflict can be left out is put
+/// off, after how many of these the members stay as they are where they are many, and the effort for the
+/// ranges of such. Judgement: some tenths of a second, and some seconds in all.
+constexpr std::uint64_t kEffortForMember = 2000;
+constexpr std::size_t kMostOpenMembers = 8;
+constexpr std::uint64_t kEffortForEnds = 10'000;
 /// Only the least and the greatest value are looked for of a choice with more values. Judgement: each value
 /// costs a question.
 constexpr std::uint64_t kMostValuesListed = 256;

@@ -32,7 +32,7 @@ struct Questions {
 
 Ending tell_conflicts(const Questions& asked, ExplainObserver& observer) {
   observer.begun("looking for conditions that cannot hold together");
-  Explainer explainer(asked.program, asked.options);
+  Explainer explainer(asked.program, asked.options, asked.options.thorough);
   explainer.observe(&observer);
   for (std::uint64_t i = 0; i <= asked.options.more; ++i) {
     const std::optional<Conflict> conflict = explainer.next();
@@ -64,11 +64,11 @@ ExplainObserver::~ExplainObserver() = default;
 
 class Explainer::State {
  public:
-  State(const Program& program, const Options& options)
+  State(const Program& program, const Options& options, bool thorough)
       : program_(program),
         stop_(options.stop),
         explainer_(program.state().program, values_of_params(program.state(), program.settings()),
-                   engine_options(program, options).exact()) {
+                   engine_options(program, options).exact(), thorough) {
     explainer_.on_smaller([this](const solitaire::Conflict& conflict) { keep(conflict); });
   }
 
@@ -108,8 +108,8 @@ class Explainer::State {
   std::optional<Conflict> best_;
 };
 
-Explainer::Explainer(const Program& program, const Options& options)
-    : state_(std::make_unique<State>(program, options)) {}
+Explainer::Explainer(const Program& program, const Options& options, bool thorough)
+    : state_(std::make_unique<State>(program, options, thorough)) {}
 Explainer::~Explainer() = default;
 std::optional<Conflict> Explainer::next() { return state_->next(); }
 Ending Explainer::ending() const { return state_->ending(); }

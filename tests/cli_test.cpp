@@ -654,6 +654,16 @@ TEST_CASE("cli: what a thing asks for and cannot have is told at its place call"
   CHECK(has(outcome.err, "  note: at place\n"));
 }
 
+TEST_CASE("cli: a name that is too long for a file is one that no model has") {
+  const Workplace place;
+  const std::string name(300, 'a');
+  const std::string script = place.file("x.sol", "place(\"" + name + "\");\n");
+  const Outcome outcome = run_solitaire({"generate", script, "-n", "1", "-o", place / "out"});
+  CHECK(outcome.status == 0);
+  CHECK(has(outcome.err, "aaa...: no model is called so, and boxes stand there\n"));
+  CHECK(!has(outcome.err, name));
+}
+
 TEST_CASE("cli: SOLITAIRE_DATA that names no folder is told") {
   const Workplace place;
   const std::string script = place.file("x.sol", "return 1;\n");

@@ -28,10 +28,11 @@ Ending ending_after(ConditionSolver::Outcome outcome) {
 
 }  // namespace
 
-Explainer::Explainer(const Program& program, ParamValues params, const TracingOptions& options)
+Explainer::Explainer(const Program& program, ParamValues params, const TracingOptions& options, bool thorough)
     : program_(program),
       params_(std::move(params)),
       options_(options),
+      thorough_(thorough),
       pins_(options.pins, addresses_),
       choices_(pins_),
       solver_(program, params_, options, choices_, addresses_, pins_) {}
@@ -108,11 +109,28 @@ void Explainer::tell(const Conditions& members) const {
 
 /// Leaves members out for as long as the rest cannot hold together; the fixed ones stay. False if some may be
 /// left that could be left out.
+///
+/// A question that takes long is put off: once others are left out, it may be an easy one. Where members are
+/// many, a few such questions are enough to end: each place of the text is told once, however many are left.
 bool Explainer::minimize(ConditionSolver& solver, Conditions& members, const Conditions& fixed) const {
-  bool minimal = true;
+  Conditions needed = fixed;
+  const bool is_bounded = is_many(members);
+  solver.limit_effort(tuning::kEffortForMember);
+  std::size_t open = leave_out(solver, members, needed, is_bounded ? tuning::kMostOpenMembers : SIZE_MAX);
+  solver.limit_effort(0);
+  if (open > 0 && !is_bounded) open = leave_out(solver, members, needed, SIZE_MAX);
+  return open == 0;
+}
+
+/// Asks of each member once whether it can be left out, until so many questions were given up. Returns how
+/// many were. Members without which the others can hold are added to those that are needed.
+std::size_t Explainer::leave_out(ConditionSolver& solver, Conditions& members, Conditions& needed,
+                                 std::size_t most_open) const {
+  const Conditions fixed = needed;
   const std::vector<Condition> candidates(members.rbegin(), members.rend());
+  std::size_t open = 0;
   for (const Condition& candidate : candidates) {
-    if (members.count(candidate) == 0 || fixed.count(candidate) != 0) continue;
+    if (members.count(candidate) == 0 || needed.count(candidate) != 0) continue;
     Conditions rest = members;
     rest.erase(candidate);
     const Outcome outcome = solver.find(rest);
@@ -120,11 +138,17 @@ bool Explainer::minimize(ConditionSolver& solver, Conditions& members, const Con
       members = solver.core();
       members.insert(fixed.begin(), fixed.end());
       tell(members);
-    } else if (outcome != Outcome::kFound) {
-      minimal = false;
+    } else if (outcome == Outcome::kFound) {
+      needed.insert(candidate);
+    } else if (++open >= most_open) {
+      return open;
     }
   }
-  return minimal;
+  return open;
+}
+
+bool Explainer::is_many(const Conditions& members) const {
+  return !thorough_ && members.size() > tuning::kManyConditions;
 }
 
 /// Finds the choices on which conditions depend. While choices lie within their ranges, intervals decide many
@@ -161,6 +185,7 @@ Conflict Explainer::complete(Conditions members, bool minimal) {
   if (!freedom) return conflict;
   WideChoices choices(&freedom->choices, freedom->reach, pins_);
   ConditionSolver wide(program_, params_, options_, choices, addresses_, pins_);
+  if (is_many(members)) wide.limit_effort(tuning::kEffortForEnds);
   const Outcome outcome = wide.find([&](const Condition& each) {
     return members.count(each) != 0 ||
            (is_end(each.requirement) && freedom->choices.count(each.address) != 0);

@@ -16,7 +16,8 @@ struct Conflict {
 /// unsatisfiable subsets, found by deletion from the solver's cores).
 class Explainer {
  public:
-  Explainer(const Program& program, ParamValues params, const TracingOptions& options);
+  /// Unless it is `thorough`, questions are given up that take long, where a conflict has many members.
+  Explainer(const Program& program, ParamValues params, const TracingOptions& options, bool thorough = false);
 
   /// A conflict none of whose conditions is in one that was found before; nothing if there is no further one,
   /// or if the work ended early: then ending() says so.
@@ -43,6 +44,9 @@ class Explainer {
   Outcome find_unexplained();
   void minimize_places(Conditions& members);
   bool minimize(ConditionSolver& solver, Conditions& members, const Conditions& fixed) const;
+  std::size_t leave_out(ConditionSolver& solver, Conditions& members, Conditions& needed,
+                        std::size_t most_open) const;
+  bool is_many(const Conditions& members) const;
   Conflict complete(Conditions members, bool minimal);
   void tell(const Conditions& members) const;
   std::optional<Freedom> choices_below(const Conditions& members);
@@ -50,6 +54,7 @@ class Explainer {
   const Program& program_;
   ParamValues params_;
   TracingOptions options_;
+  bool thorough_;
   AddressTable addresses_;
   Pins pins_;
   PinnedFloats choices_;

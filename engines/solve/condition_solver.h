@@ -42,6 +42,9 @@ class ConditionSolver {
   /// Returns the addresses of the choices that the conditions depend on.
   std::set<AddressId> choices_below(const Conditions& conditions);
 
+  /// Makes each search give up after so many conflicts. With 0 they never do.
+  void limit_effort(std::uint64_t conflicts) { solver_.limit_effort(conflicts); }
+
   Graph& graph() { return graph_; }
 
  private:

@@ -41,7 +41,8 @@ class ExplainObserver;
 /// Says why a program has no solution. Use it from one thread at a time.
 class SOLITAIRE_API Explainer {
  public:
-  Explainer(const Program& program, const Options& options);
+  /// Unless it is `thorough`, it may leave members in a conflict of many that are not needed, and says so.
+  Explainer(const Program& program, const Options& options, bool thorough = false);
   ~Explainer();
   Explainer(const Explainer&) = delete;
   Explainer& operator=(const Explainer&) = delete;
