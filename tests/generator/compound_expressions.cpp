@@ -41,6 +41,7 @@ std::string Expressions::list(int depth) {
                   {1, [&] { return format("map({}, {})", draft_.one_in(2) ? "length" : "sum", nested(d)); }},
                   {draft_.libraries.contains("graph") ? 3U : 0U, [&] { return of_graph(depth); }},
                   {draft_.libraries.contains("bin") ? 2U : 0U, [&] { return packed(depth); }},
+                  {draft_.libraries.contains("grid") ? 3U : 0U, [&] { return of_grid(depth); }},
                   {1, [&] { return format("filter({}, {})", predicate(depth), list(d)); }},
                   {1, [&] { return format("{}.b", record(d)); }},
                   {1, [&] { return format("{}[{}]", nested(d), index(depth)); }},

@@ -139,6 +139,8 @@ std::string Expressions::boolean(int depth) {
           {1, [&] { return comparison_of_texts(depth); }},
           {draft_.libraries.contains("graph") ? 3U : 0U, [&] { return connection(depth); }},
           {draft_.libraries.contains("schedule") ? 2U : 0U, [&] { return turns(depth); }},
+          {draft_.libraries.contains("grid") ? 2U : 0U, [&] { return pattern(depth); }},
+          {1, [&] { return boxes(depth); }},
           {1, [&] { return format("null({})", list(d)); }},
           {1,
            [&] {

@@ -34,6 +34,8 @@ class Expressions {
   std::string packed(int depth);
   /// An int for each node of a small graph: distances, or a tree.
   std::string of_graph(int depth);
+  /// Some cells of a small grid.
+  std::string of_grid(int depth);
 
  private:
   struct Weighted {
@@ -51,6 +53,10 @@ class Expressions {
   /// A bool for each node of a small graph.
   std::string nodes(int depth);
   std::string small_graph();
+  std::string small_grid(int depth);
+  /// Whether a small grid looks like something.
+  std::string pattern(int depth);
+  std::string boxes(int depth);
   /// Whether bools that follow each other are as a schedule has them.
   std::string turns(int depth);
   std::string list_of(Kind kind, int depth, int count);

@@ -51,8 +51,8 @@ void FileWriter::write_script(bool wishes) {
   if (imported_variables_ == 0 || !draft_.one_in(2)) draft_.line("record Point(a, b, c = 1);");
   shared_name();
   if (draft_.one_in(6)) param();
-  for (const char* library : {"graph", "layout", "schedule", "bin"}) {
-    if (draft_.one_in(12)) import_library(library);
+  for (const char* library : {"graph", "layout", "schedule", "bin", "grid", "boxes", "rooms", "tiles"}) {
+    if (draft_.one_in(16)) import_library(library);
   }
   for (int i = draft_.number(1, draft_.libraries.empty() ? 3 : 1); i > 0; --i) first_choice();
   statements_.assign_new(Kind::kList);
@@ -65,6 +65,7 @@ void FileWriter::write_script(bool wishes) {
 }
 
 void FileWriter::import_library(const std::string& name) {
+  if (name == "rooms" && !draft_.libraries.contains("layout")) import_library("layout");  // makes the rooms
   draft_.libraries.insert(name);
   draft_.choices = 4;  // a use takes up to 3
   draft_.line(format("import \"std/{}.sol\";", name));

@@ -1,4 +1,4 @@
-// Uses of the files of the library that the program imports. They make choices themselves.
+// Uses of those files of the library that are about graphs, bins and schedules. They make choices themselves.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -66,26 +66,17 @@ void Statements::use_library() {
       draft_.any_of(std::vector<std::string>(draft_.libraries.begin(), draft_.libraries.end()));
   if (library == "graph") return draft_.one_in(2) ? keep(expressions_.of_graph(1)) : connect();
   if (library == "bin") return keep(expressions_.packed(1));
+  if (library == "grid") return keep(expressions_.of_grid(1));
   if (!expressions_.take_choices(3)) return simple_statement();
   if (library == "layout") return boxes();
+  if (library == "boxes") return boxes_in_space();
+  if (library == "rooms") return openings();
+  if (library == "tiles") return map_of_tiles();
   return draft_.one_in(2) ? tasks() : shifts();
 }
 
 void Statements::connect() {
   draft_.line(format("assert({} or {});", expressions_.connection(1), expressions_.boolean(2)));
-}
-
-/// Writes boxes on a line or in a narrow room, which they may fill to more than it has.
-void Statements::boxes() {
-  const std::string made = draft_.fresh("b");
-  const std::string width = draft_.one_in(2) ? format("{} % 3", expressions_.integer(2)) : "1";
-  draft_.line(format("{} = [Rect(range(0, 2), 0, {}, {}) for u in 0..{}];", made, width, draft_.number(1, 2),
-                     draft_.number(1, 2)));
-  draft_.line(format("assert(all_apart({}));", made));
-  if (draft_.one_in(2))
-    draft_.line(format("for u in {}: assert(inside(u, Rect(0, 0, {}, {})));", made, draft_.number(2, 4),
-                       draft_.one_in(2) ? "2" : expressions_.integer(2)));
-  keep(format("[u.x for u in {}]", made));
 }
 
 void Statements::tasks() {

@@ -39,7 +39,10 @@ class Statements {
   /// Writes choices of bins for things, and that no bin holds too much.
   void pack();
   void connect();
+  void map_of_tiles();
   void boxes();
+  void boxes_in_space();
+  void openings();
   void tasks();
   void shifts();
   void keep(const std::string& list);

@@ -329,5 +329,5 @@ def files_in(folder):
     return {path.name: path.read_bytes() for path in Path(folder).glob("[!.]*-[0-9]*.*")}
 
 
-CHECKS = [same_solutions, same_solutions, published_way, uniform, number, distinct_values, far_apart, pinned, pinned,
-          pinned_by_file, pinned_float, cheapest_first, near_misses, proof, resumed]  # fmt: skip
+CHECKS = [same_solutions, same_solutions, published_way, uniform, number, distinct_values, distinct_results, far_apart,
+          other_param, pinned, pinned, pinned_by_file, pinned_float, cheapest_first, near_misses, proof, resumed]  # fmt: skip
