@@ -529,7 +529,7 @@ TEST_CASE("limits: of a search for the best, the best so far is kept (slow)") {
     check_ended_in_order(out);
   }
   // With a time for each solution, the search for others goes on.
-  const Outcome outcome = run_solitaire({"solve", script, "-n", "3", "--per-solution", "0.4"});
+  const Outcome outcome = run_solitaire({"solve", script, "-n", "2", "--per-solution", "1"});
   CHECK(outcome.status == 0);
 }
 
