@@ -51,6 +51,7 @@ def rows():
         Row("recursion", (400, 1200, 2000, 3900)),
         Row("constant_list", (10000, 30000, 100000, 1000000)),
         Row("one_range", (1000, 3000, 10000, 30000), "all"),
+        Row("one_range_drawn", (1000, 3000, 10000, 30000), "sample", program="one_range", count=lambda n: n),
         Row("pin_file", (3000, 10000, 30000, 60000), program="many_choices", arguments=("--pin-file",)),
         Row("deep_proof", (2, 3, 4, 5), "all"),
         Row("uniform", (10, 100, 300, 1000), "sample", ("--sample", "uniform"), program="workspace",
