@@ -33,6 +33,7 @@ void mark(const Solution& solution, const Placement& placement, PlacedThing& mar
   }
   if (!broken.empty()) {
     marked.color = kRed;
+    marked.marked = true;
     marked.extras.emplace_back("broken", json_text(broken));
   }
   Json unmet = Json::array();

@@ -121,6 +121,7 @@ std::optional<Paint> material_of(const PlacedThing& thing, const ThingOptions& o
 
 /// Returns what the thing is painted with. A colour beside a material tints it: the finish stays.
 std::optional<Paint> paint_of(const PlacedThing& thing, const ThingOptions& options, const Asset* asset) {
+  if (thing.marked) return Paint{"", thing.color.value_or(Color{1, 0, 0}), Paint::Finish{}, false, true};
   std::optional<Paint> paint = material_of(thing, options);
   if (!paint && (thing.color || !asset)) paint = Paint{"", color_of_name(thing.asset), std::nullopt};
   if (thing.color) paint->color = *thing.color;

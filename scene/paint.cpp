@@ -38,6 +38,7 @@ Color Paint::over(const Color& own) const {
 
 std::string Paint::text() const {
   if (tints) return "tint " + hex(color);
+  if (covers) return "all " + hex(color);
   return material.empty() ? hex(color) : material + " " + hex(color);
 }
 

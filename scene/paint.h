@@ -8,7 +8,7 @@
 
 namespace solitaire {
 
-/// What the primary surface of a thing is made of in place of its own material.
+/// What the primary surface of a thing, or all of them, are made of in place of its own material.
 struct Paint {
   struct Finish {
     double roughness = 1;
@@ -22,6 +22,10 @@ struct Paint {
   Color color{};                 // as screens show it
   std::optional<Finish> finish;  // of a mere colour the surface's own
   bool tints = false;            // it colours all surfaces, over their own colours
+  bool covers = false;           // it colours all surfaces, and nothing of their own colours is left
+
+  /// Whether it is for all surfaces, and not the primary one alone.
+  bool is_everywhere() const { return tints || covers; }
 
   /// Returns what becomes of a surface's own colour, as screens show it.
   Color over(const Color& own) const;

@@ -30,7 +30,8 @@ struct PlacedThing {
   std::vector<DecidingChoice> choices;
   std::vector<std::pair<std::string, std::string>> extras;  // further facts: name, value as JSON text
   std::string source;                                       // the place in the program: "file.sol:12:3"
-  std::string folder;  // of that file, relative to the script's; its models are looked for there first
+  std::string folder;   // of that file, relative to the script's; its models are looked for there first
+  bool marked = false;  // has its colour all over, whatever it is made of, so that it is seen
 };
 
 }  // namespace solitaire

@@ -47,6 +47,50 @@ TEST_CASE("scene: a colour that tints multiplies the colours of all surfaces, an
   CHECK(scene.objects[2].color[2] == doctest::Approx(0));
 }
 
+TEST_CASE("scene: what is marked has its colour all over, whatever it is made of") {
+  for (const auto& [asset, name, text] : {std::array{"table", "tint", "true"},
+                                          {"table", "material", "\"glass\""},
+                                          {"", "material", "\"glass\""},
+                                          {"tree", "label", "\"oak\""}}) {
+    PlacedThing thing = having(placed(asset, {0, 0, 0}), name, text);
+    thing.name = "thing", thing.color = {{0.85, 0.1, 0.1}}, thing.marked = true;
+    const Scene scene = scene_of_options({thing});
+    CHECK(scene.objects[0].color == Color{0.85, 0.1, 0.1});
+    const json file = json_of(glb_bytes(scene));
+    const json& mesh = file["meshes"][node_named(file, "thing")["mesh"].get<std::size_t>()];
+    CHECK(mesh["primitives"].size() == (*asset == 't' ? 2 : 1));
+    for (std::size_t surface = 0; surface < mesh["primitives"].size(); ++surface) {
+      const Color red = to_linear({0.85, 0.1, 0.1});
+      const std::vector<double> found = color_factor(file, "thing", surface);
+      for (std::size_t part = 0; part < 3; ++part) CHECK(found[part] == doctest::Approx(red[part]));
+      CHECK(found[3] == 1);
+    }
+  }
+}
+
+TEST_CASE("picture: what is marked is seen in its colour all over") {
+  PlacedThing shelf = placed("bookcase", {0, 0, 0});
+  shelf.color = {{0.85, 0.1, 0.1}};
+  const PictureSize size{160, 120};
+  Painter painter;
+  const auto red_share = [&](const PlacedThing& thing) {
+    const Scene scene = scene_of_options({thing});
+    const Picture picture = painter.draw(scene, size, default_camera(scene, 4.0 / 3));
+    double red = 0, pixels = 0;
+    for (std::size_t i = 0; i < picture.objects.size(); ++i) {
+      if (picture.objects[i] != 0) continue;
+      const std::uint8_t* pixel = picture.image.pixel(i % size.width, i / size.width);
+      red += pixel[0] > 2 * pixel[1] && pixel[0] > 2 * pixel[2] ? 1 : 0;
+      pixels += 1;
+    }
+    REQUIRE(pixels > 500);
+    return red / pixels;
+  };
+  CHECK(red_share(shelf) < 0.85);  // the books have colours of their own
+  shelf.marked = true;
+  CHECK(red_share(shelf) > 0.93);
+}
+
 TEST_CASE("scene: pitch raises the front, roll lowers the right; the middle of the base stays") {
   const auto corners = [&](const PlacedThing& thing) {
     const Scene scene = scene_of_options({thing});

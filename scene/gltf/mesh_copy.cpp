@@ -65,6 +65,7 @@ tinygltf::Material painted(tinygltf::Material material, const Paint& paint) {
   auto& pbr = material.pbrMetallicRoughness;
   for (std::size_t i = 0; i < 3; ++i)  // alpha stays
     pbr.baseColorFactor[i] = paint.tints ? pbr.baseColorFactor[i] * paint_color[i] : paint_color[i];
+  if (paint.covers) pbr.baseColorTexture.index = -1;
   if (paint.finish) {
     pbr.roughnessFactor = paint.finish->roughness;
     pbr.metallicFactor = paint.finish->metallic;
@@ -94,7 +95,8 @@ tinygltf::Primitive MeshCopier::primitive(const tinygltf::Primitive& source,
   }
   if (source.indices != -1) copy.indices = indices(source.indices);
   const bool is_primary = source.material == source_.primary_material;
-  copy.material = material(source.material, is_primary || (paint && paint->tints) ? paint : std::nullopt);
+  const bool is_painted = is_primary || (paint && paint->is_everywhere());
+  copy.material = material(source.material, is_painted ? paint : std::nullopt);
   return copy;
 }
 

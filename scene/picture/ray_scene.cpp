@@ -59,7 +59,7 @@ const std::vector<Finish>& RayScene::finishes(const Shape& shape, const std::opt
   const auto [place, is_new] = painted_.try_emplace({&shape, *paint}, shape.finishes);
   if (is_new) {
     for (Finish& finish : place->second) {
-      if (finish.is_primary || paint->tints) paint_over(finish, *paint);
+      if (finish.is_primary || paint->is_everywhere()) paint_over(finish, *paint);
     }
   }
   return place->second;
@@ -89,7 +89,7 @@ const TracedShape& RayScene::with_clearness(TracedShapes& shapes, const TracedSh
   Shape painted = shape.shape;
   bool differs = false;
   for (Finish& finish : painted.finishes) {
-    if (!finish.is_primary && !paint->tints) continue;
+    if (!finish.is_primary && !paint->is_everywhere()) continue;
     differs = differs || (finish.opacity < 1) != (paint->finish->opacity < 1);
     finish.opacity = static_cast<float>(paint->finish->opacity);
   }
