@@ -143,7 +143,7 @@ Value are_apart(Evaluator& evaluator, const Box& a, const Box& b, Span span) {
       for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)}) {
         const Value before =
             evaluator.compare(BinaryOp::kLessEqual, first->sides[axis].reach, second->sides[axis].low, span);
-        apart = evaluator.either(apart, before);
+        apart = evaluator.binary(Op::kOr, apart, before, span);  // one node, of which there are many
       }
     }
     return apart;
