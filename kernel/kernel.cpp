@@ -63,7 +63,13 @@ bool Kernel::reach(std::size_t stage) {
 }
 
 Kernel::Outcome Kernel::load(const std::vector<Scalar>& values) {
-  return follow([&](ChoiceNumber choice) { return values[choice]; });
+  proposed_bits_.reset();
+  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i)
+    if (program_.choices[i].cell != kNoCell) cells_[program_.choices[i].cell] = values[i];
+  const bool made = run(program_.code, cells_.data());
+  const bool on_path = made && std::all_of(program_.assumed.begin(), program_.assumed.end(),
+                                           [this](Cell cell) { return cells_[cell].i != 0; });
+  return on_path ? score_all() : Outcome::kLeavesTrace;
 }
 
 void Kernel::keep(Present& present) const {

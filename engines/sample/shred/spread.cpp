@@ -66,18 +66,15 @@ void Spread::take() {
   }
 }
 
-std::vector<double> Spread::scaled(std::span<const double> x) const {
-  std::vector<double> made(size_, 0.0);
+void Spread::add_scaled(std::span<const double> x, std::span<double> sum) const {
   for (std::size_t i = 0; i < size_; ++i)
-    for (std::size_t j = first_of_row(i); j <= i; ++j) made[i] += factor_[place(i, j)] * x[j];
-  return made;
+    for (std::size_t j = first_of_row(i); j <= i; ++j) sum[i] += factor_[place(i, j)] * x[j];
 }
 
-std::vector<double> Spread::scaled_slopes(std::span<const double> slopes) const {
-  std::vector<double> made(size_, 0.0);
+void Spread::scale_slopes(std::span<const double> slopes, std::vector<double>& made) const {
+  made.assign(size_, 0.0);
   for (std::size_t i = 0; i < size_; ++i)
     for (std::size_t j = first_of_row(i); j <= i; ++j) made[j] += factor_[place(i, j)] * slopes[i];
-  return made;
 }
 
 }  // namespace solitaire

@@ -17,10 +17,10 @@ class Spread {
   /// Returns true if some of the floats hang together.
   bool correlated() const { return correlated_; }
 
-  /// The spread is that of `scaled(x)` where x are independent standard normal numbers: a linear map.
-  std::vector<double> scaled(std::span<const double> x) const;
+  /// Adds S x to `sum`, where the spread is that of S x if x are independent standard normal numbers.
+  void add_scaled(std::span<const double> x, std::span<double> sum) const;
   /// The slopes along x of a function whose slopes along the floats are these.
-  std::vector<double> scaled_slopes(std::span<const double> slopes) const;
+  void scale_slopes(std::span<const double> slopes, std::vector<double>& made) const;
 
  private:
   void take();

@@ -18,12 +18,6 @@ double product(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-std::vector<double> sum(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> made(a);
-  for (std::size_t i = 0; i < made.size(); ++i) made[i] += b[i];
-  return made;
-}
-
 double log_sum(double a, double b) {
   const double high = std::max(a, b);
   return high + std::log(std::exp(a - high) + std::exp(b - high));
@@ -32,15 +26,26 @@ double log_sum(double a, double b) {
 }  // namespace
 
 Trajectory::Trajectory(FloatSpace& space, const Spread& spread, double step_size, RandomStream& stream)
-    : space_(space), spread_(spread), step_size_(step_size), stream_(stream), origin_(space.present()) {}
+    : space_(space),
+      spread_(spread),
+      step_size_(step_size),
+      stream_(stream),
+      origin_(space.present()),
+      slopes_(space.size()) {}
 
 /// Finds the height and the slopes at a point. Returns false if the density is 0 there.
 bool Trajectory::look(Point& point) {
-  std::vector<double> slopes(space_.size());
-  point.height = space_.height(sum(origin_, spread_.scaled(point.at)), slopes);
+  point.height = space_.height(place(point.at), slopes_);
   if (point.height == -HUGE_VAL) return false;
-  point.slopes = spread_.scaled_slopes(slopes);
+  spread_.scale_slopes(slopes_, point.slopes);
   return true;
+}
+
+/// Where the floats are at a point.
+const std::vector<double>& Trajectory::place(const std::vector<double>& at) {
+  place_ = origin_;
+  spread_.add_scaled(at, place_);
+  return place_;
 }
 
 /// The leapfrog method, which is exact enough over many steps, and of which a step back leads back.
@@ -90,14 +95,16 @@ bool Trajectory::join(Part& all, Part& more, bool forward, double probability) {
   all.log_weight = log_sum(all.log_weight, more.log_weight);
   Part& early = forward ? all : more;
   Part& late = forward ? more : all;
-  const std::vector<double> whole = sum(early.momentum_sum, late.momentum_sum);
-  const auto between = [&](const Point& a, const Point& b, const std::vector<double>& momenta) {
-    return product(a.momentum, momenta) > 0 && product(b.momentum, momenta) > 0;
+  // Of two sums of momenta that are one behind the other.
+  const auto between = [](const Point& a, const Point& b, const std::vector<double>& first,
+                          const std::vector<double>& second) {
+    return product(a.momentum, first) + product(a.momentum, second) > 0 &&
+           product(b.momentum, first) + product(b.momentum, second) > 0;
   };
-  const bool goes_on = between(early.low, late.high, whole) &&
-                       between(early.low, late.low, sum(early.momentum_sum, late.low.momentum)) &&
-                       between(early.high, late.high, sum(late.momentum_sum, early.high.momentum));
-  all.momentum_sum = whole;
+  const bool goes_on = between(early.low, late.high, early.momentum_sum, late.momentum_sum) &&
+                       between(early.low, late.low, early.momentum_sum, late.low.momentum) &&
+                       between(early.high, late.high, late.momentum_sum, early.high.momentum);
+  for (std::size_t i = 0; i < all.momentum_sum.size(); ++i) all.momentum_sum[i] += more.momentum_sum[i];
   (forward ? all.high : all.low) = std::move(forward ? more.high : more.low);
   return goes_on;
 }
@@ -118,7 +125,7 @@ bool Trajectory::run() {
     if (!join(all, more, forward, std::exp(more.log_weight - all.log_weight))) break;
   }
   const bool moves = std::any_of(all.drawn.begin(), all.drawn.end(), [](double x) { return x != 0; });
-  if (moves) space_.move_to(sum(origin_, spread_.scaled(all.drawn)));
+  if (moves) space_.move_to(place(all.drawn));
   return moves;
 }
 

@@ -38,6 +38,7 @@ class Trajectory {
     double log_weight = 0;             // of all of them
   };
 
+  const std::vector<double>& place(const std::vector<double>& at);
   bool look(Point& point);
   bool step(const Point& from, double time, Point& to);
   bool build(const Point& from, double time, int depth, Part& part);
@@ -49,6 +50,7 @@ class Trajectory {
   double step_size_;
   RandomStream& stream_;
   std::vector<double> origin_;
+  std::vector<double> place_, slopes_;  // of the floats, where the last point is
   double first_energy_ = 0;
   double acceptance_ = 0;
   std::uint64_t points_ = 0;
