@@ -259,12 +259,13 @@ def main():
     parser.add_argument("build", type=Path)
     parser.add_argument("models", nargs="*", metavar="MODEL", default=list(MODELS))
     parser.add_argument("--rounds", type=int, default=5)
-    asked = parser.parse_args()
+    parser.add_argument("--compiled", type=Path, metavar="FOLDER", help="keeps Stan's compiled models for the next time")
+    asked = parser.parse_intermixed_args()
     print("| model | " + " | ".join(COLUMNS) + " |")
     print("| --- " * (len(COLUMNS) + 1) + "|")
-    with tempfile.TemporaryDirectory() as compiled:
+    with tempfile.TemporaryDirectory() as passing:
         for model in asked.models:
-            best = best_of_rounds(runners(asked.build, Path(compiled), model), asked.rounds)
+            best = best_of_rounds(runners(asked.build, asked.compiled or Path(passing), model), asked.rounds)
             print(f"| {model} | " + " | ".join(shown(best.get(key)) for key in COLUMNS.values()) + " |", flush=True)
 
 
