@@ -76,14 +76,16 @@ void add_engine_option(CLI::App& command, Options& options) {
   std::map<std::string, Solver> engines = exact_engines();
   engines.emplace("thesis", Solver::kThesis);
   engines.emplace("shred", Solver::kShred);
+  engines.emplace("tiles", Solver::kTiles);
   command
       .add_option(
           "--engine", options.search.solver,
           "which solver to use: cadical (auto takes it: the fastest), z3 (the reference), thesis (16-bit "
           "ints "
-          "and random exploration, as published, to measure against), or shred (draws executions by how "
-          "probable they are, as 'sample' does)")
-      ->transform(CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis|shred"));
+          "and random exploration, as published, to measure against), shred (draws executions by how "
+          "probable they are, as 'sample' does), or tiles (draws maps of tiles as their exemplars look)")
+      ->transform(
+          CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis|shred|tiles"));
   command.parse_complete_callback([&options] {
     const SearchOptions& search = options.search;
     if (search.solver == Solver::kThesis && search.exploration_name() == "demand")

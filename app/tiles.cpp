@@ -84,10 +84,12 @@ std::string name_of_map(const TilesOptions& options, std::uint64_t number) {
 }
 
 /// Importers choke on a node for each of a million tiles, and some know no instances.
-constexpr std::size_t kMostSingleNodes = 20'000;
+constexpr std::size_t kMostSingleNodes = 20'000, kMostNamedInstances = 200'000;
 
 Nodes nodes_of(const TilesOptions& options, std::size_t tiles) {
-  return options.nodes.value_or(tiles > kMostSingleNodes ? Nodes::kInstances : Nodes::kOneEach);
+  return options.nodes.value_or(tiles > kMostNamedInstances ? Nodes::kPlainInstances
+                                : tiles > kMostSingleNodes  ? Nodes::kInstances
+                                                            : Nodes::kOneEach);
 }
 
 MapLook look_of(const tiles::Job& job, const Options& options, const std::string& name,

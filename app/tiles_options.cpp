@@ -96,6 +96,15 @@ void add_sampler_options(CLI::App& command, tiles::JobOptions& options) {
   command.add_option("--burn-in", options.sampling.burn_in,
                      "blockss: samples of the chain before the one that is taken (default 5)");
   command
+      .add_option_function<std::string>(
+          "--blockss-start",
+          [&options](const std::string& start) { options.sampling.restart = start == "restart"; },
+          "blockss: each search begins with random tiles (restart, default), or with the map before, as the "
+          "paper "
+          "prints it, which never moves (current)")
+      ->check(CLI::IsMember({"restart", "current"}))
+      ->type_name("restart|current");
+  command
       .add_option("--blocks", options.sampling.largest_block,
                   "blockss: the set of block shapes, 1 to 6 (default 6)")
       ->check(CLI::Range(1, 6));
@@ -126,12 +135,17 @@ void add_tiles_options(CLI::App& command, Options& options) {
       ->delimiter(',')
       ->check(CLI::IsMember({"txt", "png", "json", "tmx", "tmj", "vox", "glb"}));
   command
-      .add_option("--nodes", tiles_options.nodes,
-                  "how tiles become nodes of .glb files: each, or instances, for all that look alike one "
-                  "(EXT_mesh_gpu_instancing; default where a map has more than 20000 tiles)")
+      .add_option(
+          "--nodes", tiles_options.nodes,
+          "how tiles become nodes of .glb files: each; instances, for all that look alike one "
+          "(EXT_mesh_gpu_instancing; default where a map has more than 20000 tiles); plain, the same "
+          "without names (default from 200000); or chunks, for importers that know no instances: one for "
+          "all that look alike in 32x32 tiles")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Nodes>{{"each", Nodes::kOneEach},
-                                                                       {"instances", Nodes::kInstances}})
-                      .description("each|instances"));
+                                                                       {"instances", Nodes::kInstances},
+                                                                       {"plain", Nodes::kPlainInstances},
+                                                                       {"chunks", Nodes::kChunks}})
+                      .description("each|instances|plain|chunks"));
   command
       .add_option("--pixels", tiles_options.pixels, "pixels of a tile without icon in .png files (default 8)")
       ->check(CLI::Range(1, 256));

@@ -70,9 +70,11 @@ void TilesPage::add(const tiles::Job& job, std::uint64_t number, const MapLook& 
   entry.json = file_of(entry.name, "json");
   const std::vector<tiles::ShownTile> tiles = job.shown_tiles();
   const Json about{{"views", {drawing_of(entry.picture, look.png)}}, {"choices", choices_of(tiles)}};
+  // What has no names cannot be clicked at.
   const SolutionFiles files =
-      look.scene ? page_.add(entry.name, &*look.scene, glb_bytes(*look.scene, look.nodes), text_of(about))
-                 : page_.add(entry.name, nullptr, "", text_of(about));
+      look.scene && (look.nodes == Nodes::kOneEach || look.nodes == Nodes::kInstances)
+          ? page_.add(entry.name, &*look.scene, glb_bytes(*look.scene, look.nodes), text_of(about))
+          : page_.add(entry.name, nullptr, "", text_of(about));
   if (!has_format("png")) write_file_atomically(options_.output / entry.picture, look.png);
   if (tiles.size() <= kMostCompared) entry.choices = tiles.size();
   entry.facts = text_of({{"index", number}, {"script", files.script}});

@@ -22,6 +22,12 @@ class UnmatchedPin : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A program without a map of tiles, for an engine that draws these.
+class NoTileMap : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Uniform sampling of a program whose solutions are not to be equally probable, since it prefers some.
 class UnequalSolutions : public std::runtime_error {
  public:

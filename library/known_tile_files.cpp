@@ -20,6 +20,22 @@ std::vector<std::vector<std::uint32_t>> followers(const tiles::Style& style, std
   return result;
 }
 
+/// Returns the exemplars whose pairs are allowed, of maps in one layer.
+std::vector<TileRows> exemplars_of(const tiles::Style& style) {
+  std::vector<TileRows> exemplars;
+  for (const tiles::Exemplar& exemplar : style.exemplars) {
+    const tiles::Size& size = exemplar.grid.size;
+    if (exemplar.negative || size.depth() > 1) continue;
+    TileRows rows(static_cast<std::size_t>(size.height()));
+    tiles::for_each_point(size, [&](const tiles::Point& at) {
+      const tiles::Tile tile = exemplar.grid.at(at);
+      rows[static_cast<std::size_t>(at[1])].push_back(tile == tiles::kHole ? kNoTile : tile);
+    });
+    exemplars.push_back(std::move(rows));
+  }
+  return exemplars;
+}
+
 std::shared_ptr<const TilePairs> read_pairs(const std::filesystem::path& file) {
   const std::shared_ptr<tiles::Style> style = tiles::read_style(tiles::read_inputs({file.string()}));
   if (style->zones > 1) {
@@ -27,7 +43,7 @@ std::shared_ptr<const TilePairs> read_pairs(const std::filesystem::path& file) {
         fmt::format("{} has several zones, of which a program knows nothing", file.string()));
   }
   return std::make_shared<TilePairs>(
-      TilePairs{style->tileset.names(), followers(*style, 0), followers(*style, 1)});
+      TilePairs{style->tileset.names(), followers(*style, 0), followers(*style, 1), exemplars_of(*style)});
 }
 
 }  // namespace

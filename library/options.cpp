@@ -36,6 +36,7 @@ const SearchMethod& method_of(Solver solver) {
   switch (solver) {
     case Solver::kCadical:
     case Solver::kShred:
+    case Solver::kTiles:
       break;
     case Solver::kZ3:
       return z3_method();

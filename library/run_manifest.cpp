@@ -37,6 +37,8 @@ const char* solver_name(Solver solver) {
       return "thesis";
     case Solver::kShred:
       return "shred";
+    case Solver::kTiles:
+      return "tiles";
   }
   return "cadical";
 }

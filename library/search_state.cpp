@@ -5,6 +5,7 @@
 #include "engines/count/uniform_series.h"
 #include "engines/sample/sample_stream.h"
 #include "engines/solve/series.h"
+#include "engines/tile_maps/tile_stream.h"
 #include "library/endings.h"
 #include "library/engine_options.h"
 #include "library/formula.h"
@@ -60,9 +61,21 @@ std::unique_ptr<SolutionStream> samples_of(const Program& program, const ParamVa
                                         engine_options(program, options).limits, options.seed);
 }
 
+std::unique_ptr<SolutionStream> maps_of(const Program& program, const ParamValues& params,
+                                        const SearchOptions& options) {
+  if (options.all || options.relax || options.sampling == Sampling::kUniform || options.min_distance > 0) {
+    throw Error(
+        Error::Kind::kUsage,
+        "--engine tiles draws maps as their exemplars look: it breaks no asserts, and there is neither "
+        "an end nor a distance");
+  }
+  return std::make_unique<TileStream>(program.state().program, params, engine_options(program, options));
+}
+
 std::unique_ptr<SolutionStream> stream_of(const Program& program, const ParamValues& params,
                                           const SearchOptions& options) {
   if (options.solver == Solver::kShred) return samples_of(program, params, options);
+  if (options.solver == Solver::kTiles) return maps_of(program, params, options);
   const TracingOptions tracing = engine_options(program, options);
   const solitaire::Program& parsed = program.state().program;
   if (options.sampling == Sampling::kUniform) {

@@ -33,6 +33,8 @@ auto translated(const SourceSet& sources, const Work& work) {
     throw Error(Error::Kind::kInternal, error.what());
   } catch (const UnmatchedPin& error) {
     throw Error(Error::Kind::kUsage, error.what());
+  } catch (const NoTileMap& error) {
+    throw Error(Error::Kind::kUsage, error.what());
   } catch (const UnequalSolutions& error) {
     throw Error(Error::Kind::kUsage, error.what());
   } catch (const FileError& error) {

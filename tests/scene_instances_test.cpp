@@ -73,6 +73,32 @@ TEST_CASE("scene: a model made of instances is as large as one made of nodes, an
   CHECK(plain->box.size()[0] < 7);
 }
 
+TEST_CASE(
+    "scene: merged things of one mesh fill the same box, with as many triangles, in squares of 32 metres") {
+  TemporaryFolder folder;
+  AssetLibrary assets = bundled();
+  std::vector<PlacedThing> things = furniture();
+  things.push_back(placed("chair", {40, 0, 0}));
+  things.push_back(placed("chair", {41, 0, 0}));
+  const Scene scene = build_scene(things, 1, "test", assets);
+  write_glb(scene, folder / "plain.glb");
+  write_glb(scene, folder / "merged.glb", Nodes::kChunks);  // which reads it back and compares the boxes
+  const json file = json_of(read_file(folder / "merged.glb"));
+  CHECK_FALSE(file.contains("extensionsUsed"));
+  const std::vector<std::string> names = names_of(file, node_named(file, "test"));
+  REQUIRE(names.size() == 7);
+  CHECK(names.front() == "chair chunk");
+  CHECK(names.back().starts_with("chair chunk"));
+  AssetLibrary own(kAssets, folder.path());
+  const Asset* plain = own.find("plain.glb");
+  const Asset* merged = own.find("merged.glb");
+  check_point(merged->box.low, plain->box.low);
+  check_point(merged->box.high, plain->box.high);
+  Scene moved = scene;
+  moved.objects[0].box.center[2] += 0.5;
+  CHECK_THROWS_AS(verify_glb(folder / "merged.glb", moved, Nodes::kChunks), SceneError);
+}
+
 TEST_CASE("scene: instances are read back and compared, each") {
   TemporaryFolder folder;
   AssetLibrary assets = bundled();

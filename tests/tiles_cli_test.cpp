@@ -34,6 +34,31 @@ TEST_CASE("tiles: maps whose tiles are models are written with their scenes, and
   CHECK(bytes_of(place / "out/wood-0001.glb").find("\"tree\"") != std::string::npos);
 }
 
+TEST_CASE("tiles: a .glb has a node for each tile, or one for all that look alike, with names or without") {
+  const Workplace place;
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string problem = place.file("wood.tiles.json", wood("tree"));
+  const auto bytes = [&](const std::string& nodes) {
+    const Outcome outcome =
+        run_solitaire({"tiles", problem, "--weights", "step", "-W", "30", "-H", "20", "--nodes", nodes,
+                       "--format", "glb", "-o", (place / nodes).string()});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return bytes_of(place / (nodes + "/wood-0001.glb"));
+  };
+  const std::string each = bytes("each"), instances = bytes("instances"), plain = bytes("plain");
+  CHECK(each.find("EXT_mesh_gpu_instancing") == std::string::npos);
+  CHECK(instances.find("EXT_mesh_gpu_instancing") != std::string::npos);
+  CHECK(instances.find("site[0][3][4]") != std::string::npos);
+  CHECK(plain.find("EXT_mesh_gpu_instancing") != std::string::npos);
+  CHECK(plain.find("site[0][3][4]") == std::string::npos);
+  const std::string chunks = bytes("chunks");
+  CHECK(chunks.find("EXT_mesh_gpu_instancing") == std::string::npos);
+  CHECK(chunks.find("grass chunk") != std::string::npos);
+  CHECK(each.size() > instances.size());
+  CHECK(instances.size() > plain.size() + 20'000);
+}
+
 TEST_CASE("tiles: a model that there is not is told at the end") {
   const Workplace place;
   place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");

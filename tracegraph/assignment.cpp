@@ -4,6 +4,25 @@
 
 namespace solitaire {
 
+std::optional<Scalar> folded(Op op, std::span<const std::optional<Scalar>> operands) {
+  std::array<Scalar, 3> values{};
+  bool defined = true;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    defined = defined && operands[i].has_value();
+    values[i] = operands[i].value_or(Scalar::of(false));
+  }
+  if (op == Op::kAnd || op == Op::kOr) {
+    const bool settles = op == Op::kOr;
+    for (const std::optional<Scalar>& each : operands) {
+      if (each && (each->i != 0) == settles) return Scalar::of(settles);
+    }
+  } else if (operands.size() == 3 && operands[0]) {
+    defined = operands[operands[0]->i != 0 ? 1 : 2].has_value();
+  }
+  if (!defined) return std::nullopt;
+  return operation(op).fold(values.data());
+}
+
 Assignment::Assignment(const Graph& graph, std::function<Scalar(std::size_t)> value_of)
     : graph_(graph), value_of_(std::move(value_of)) {
   cover_graph();
@@ -41,25 +60,13 @@ void Assignment::compute(NodeId id) {
   } else if (is_choice(node.op)) {
     result = value_of_(node.payload);
   } else {
-    std::array<Scalar, 3> operands{};
-    std::array<bool, 3> known{};
+    std::array<std::optional<Scalar>, 3> operands;
     std::size_t count = 0;
     for (const NodeId operand : node.args()) {
-      known[count] = state(operand) == State::kKnown;
-      operands[count++] = values_[operand.index];
+      if (state(operand) == State::kKnown) operands[count] = values_[operand.index];
+      ++count;
     }
-    // Of an ite only the side that is taken counts, and one operand may decide a connective by itself.
-    bool defined = true;
-    for (std::size_t i = 0; i < count; ++i) defined = defined && known[i];
-    if (node.op == Op::kAnd || node.op == Op::kOr) {
-      const bool settles = node.op == Op::kOr;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (known[i] && (operands[i].i != 0) == settles) result = Scalar::of(settles);
-      }
-    } else if (count == 3 && known[0]) {
-      defined = known[operands[0].i != 0 ? 1 : 2];
-    }
-    if (!result && defined) result = operation(node.op).fold(operands.data());
+    result = folded(node.op, {operands.data(), count});
   }
   states_[id.index] = result ? State::kKnown : State::kUndefined;
   if (result) values_[id.index] = *result;

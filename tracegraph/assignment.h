@@ -1,11 +1,16 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tracegraph/graph.h"
 
 namespace solitaire {
+
+/// Returns what an operation comes to for operands of which some may have no value; nothing where that has no
+/// meaning. Of an ite only the side that is taken counts, and one operand may decide a connective by itself.
+std::optional<Scalar> folded(Op op, std::span<const std::optional<Scalar>> operands);
 
 /// Evaluates nodes under given values of the choices: the specification that solvers' models are held
 /// against. The graph may grow meanwhile.

@@ -2,6 +2,9 @@
 #include "bench/tiles/problems.h"
 #include "bench/tiles/runs.h"
 #include "engines/tiles/learn/fit.h"
+#include "engines/tiles/request/build.h"
+#include "engines/tiles/request/read_style.h"
+#include "engines/tiles/request/request_file.h"
 #include "engines/tiles/sample/refill.h"
 
 namespace solitaire::tiles::bench {
@@ -11,6 +14,24 @@ std::shared_ptr<Style> fitted_suburb() {
   const auto style = style_named(kSuburb);
   fit_weights(*style, default_shapes(*style), 1, StopSignal());
   return style;
+}
+
+void connected_dungeon(Report& report) {
+  const Request request = read_request(SOLITAIRE_SOURCE_DIR "/examples/tiles/dungeon.tiles.json");
+  const std::shared_ptr<Style> style = read_style(request);
+  fit_weights(*style, default_shapes(*style), 1, StopSignal());
+  const Runs runs = run(make_problem(request, style), SamplerOptions(), 4);
+  report.must(fmt::format("connected dungeons of 40x40: {} of 4, {:.1f} s each, 3 asked", runs.maps.size(),
+                          runs.seconds_each()),
+              runs.maps.size() == 4 && runs.seconds_each() <= 3);
+}
+
+void small_facade(Report& report) {
+  const auto style = step_style(kFacade, {{{4, 1, 1}}, {{1, 4, 1}}}, 0.1);
+  const Runs runs = run(facade(style, 20, 20), SamplerOptions(), 10);
+  report.must(
+      fmt::format("facades of 20x20, annealed: {:.0f} ms each, 150 asked", 1000 * runs.seconds_each()),
+      runs.seconds_each() <= 0.15);
 }
 
 void peer(Report& report, const std::string& name, const Problem& problem, const SamplerOptions& options,
@@ -47,10 +68,12 @@ void speed(Report& report) {
   report.figure("speed: cities by windows with fitted weights", "170x170 in 5 min, without weights");
   double start = processor_seconds();
   const auto style = fitted_suburb();
-  report.line(fmt::format("the weights are fitted in {:.1f} s", processor_seconds() - start));
+  const double fitting = processor_seconds() - start;
+  report.must(fmt::format("the weights are fitted in {:.1f} s, 6 asked", fitting), fitting <= 6);
   const Runs runs = run(city(style, 170), options_of(SamplerKind::kWindows), 1);
-  report.line(fmt::format("170x170, 120 sweeps: {:.1f} s", runs.seconds));
-  report.must("170x170 in 3 s", runs.seconds <= 3);
+  report.must(fmt::format("170x170 in {:.1f} s, 3 asked", runs.seconds), runs.seconds <= 3);
+  connected_dungeon(report);
+  small_facade(report);
 }
 
 void filling_again(Report& report) {
@@ -69,7 +92,7 @@ void filling_again(Report& report) {
   }
   const double each = (processor_seconds() - start) / kTimes;
   report.line(fmt::format("{:.0f} ms, {} sweeps", 1000 * each, options.anneal + options.sweeps));
-  report.must("in 100 ms", all && each < 0.1);
+  report.must(fmt::format("40x40 of 170x170 again in {:.0f} ms, 100 asked", 1000 * each), all && each < 0.1);
 }
 
 }  // namespace solitaire::tiles::bench

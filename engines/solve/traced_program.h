@@ -46,6 +46,8 @@ class TracedProgram {
   /// Makes the execution of a solver's values, or of a solution that was written down. See Replayer.
   Execution execution(Assignment& assignment) { return replayer_.execution(assignment); }
   Execution execution(const ChosenValues& choices);
+  /// Runs the program with these values, which are those of all choices that it meets.
+  Execution execution(const Valuation& values) { return replayer_.run(values); }
   /// Makes a solution of an execution: with how good it is, and what depends on which choices.
   Solution solution(Execution execution);
 

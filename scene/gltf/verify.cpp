@@ -54,6 +54,8 @@ class Verifier {
       const int child = node(index).children[i];
       if (parts[i].size() == 1) {
         check_node(child, scene_.nodes[parts[i].front()]);
+      } else if (nodes_ == Nodes::kChunks) {
+        check_merged(child, parts[i]);
       } else {
         check_instances(child, parts[i]);
       }
@@ -63,14 +65,42 @@ class Verifier {
   void check_instances(int index, const std::vector<std::size_t>& instances) {
     const std::string& name = node(index).name;
     const std::vector<Transform> transforms = instance_transforms(model_, node(index));
-    const auto facts = nlohmann::json::parse(node(index).extras.Get("instances").Get<std::string>());
-    require(transforms.size() == instances.size() && facts.size() == instances.size(), "the number", name);
+    require(transforms.size() == instances.size(), "the number", name);
+    if (nodes_ != Nodes::kPlainInstances) check_facts(index, instances);
     for (std::size_t i = 0; i < instances.size(); ++i) {
       const SceneNode& expected = scene_.nodes[instances[i]];
       const SceneObject& object = scene_.objects[*expected.object];
-      require(facts[i]["name"] == expected.name, "the name of an instance", name);
-      require(facts[i]["address"] == clean_text(object.thing.address), "the address", expected.name);
       check_box(to_affine(transforms[i]), check_sharing(index, object, name).box, object, expected.name);
+    }
+  }
+
+  /// All that were merged together fill the box that they fill in the scene.
+  void check_merged(int index, const std::vector<std::size_t>& alike) const {
+    const std::string& name = node(index).name;
+    Box3 found, wanted;
+    include(index, Affine{}, found);
+    for (const std::size_t each : alike) {
+      const Box3 box = bounds(scene_.objects[*scene_.nodes[each].object].box);
+      wanted.include({box.low[0], box.low[2], -box.high[1]});
+      wanted.include({box.high[0], box.high[2], -box.low[1]});
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const double tolerance = 1e-5 * (1 + std::abs(wanted.low[axis]) + std::abs(wanted.high[axis]));
+      require(std::abs(found.low[axis] - wanted.low[axis]) <= tolerance &&
+                  std::abs(found.high[axis] - wanted.high[axis]) <= tolerance,
+              "the extent", name);
+    }
+  }
+
+  void check_facts(int index, const std::vector<std::size_t>& instances) const {
+    const std::string& name = node(index).name;
+    const auto facts = nlohmann::json::parse(node(index).extras.Get("instances").Get<std::string>());
+    require(facts.size() == instances.size(), "the number", name);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      const SceneNode& expected = scene_.nodes[instances[i]];
+      require(facts[i]["name"] == expected.name, "the name of an instance", name);
+      require(facts[i]["address"] == clean_text(scene_.objects[*expected.object].thing.address),
+              "the address", expected.name);
     }
   }
 

@@ -11,6 +11,7 @@
 #include "scene/gltf/asset_model.h"
 #include "scene/gltf/box_mesh.h"
 #include "scene/gltf/extras.h"
+#include "scene/gltf/merged_mesh.h"
 #include "scene/gltf/mesh_builder.h"
 #include "scene/gltf/mesh_copy.h"
 #include "scene/gltf/staging.h"
@@ -69,7 +70,9 @@ class ModelBuilder {
     if (source.object) fill(node, scene_.objects[*source.object]);
     const int index = append(std::move(node));
     for (const std::vector<std::size_t>& part : parts_of(scene_, source, nodes_)) {
-      const int child_index = part.size() == 1 ? add(scene_.nodes[part.front()]) : add_instances(part);
+      const int child_index = part.size() == 1           ? add(scene_.nodes[part.front()])
+                              : nodes_ == Nodes::kChunks ? add_merged(part)
+                                                         : add_instances(part);
       model_.nodes[static_cast<std::size_t>(index)].children.push_back(child_index);
     }
     return index;
@@ -81,7 +84,20 @@ class ModelBuilder {
     fill(node, first);
     node.translation.clear(), node.rotation.clear(), node.scale.clear();
     node.name = names_.take(plain_name(first) + " instances");
-    make_instances(model_, node, scene_, instances);
+    make_instances(model_, node, scene_, instances, nodes_);
+    return append(std::move(node));
+  }
+
+  int add_merged(const std::vector<std::size_t>& alike) {
+    const SceneObject& first = scene_.objects[*scene_.nodes[alike.front()].object];
+    tinygltf::Node pattern;
+    fill(pattern, first);
+    std::vector<Transform> transforms;
+    for (const std::size_t each : alike)
+      transforms.push_back(scene_.objects[*scene_.nodes[each].object].node_transform);
+    tinygltf::Node node;
+    node.name = names_.take(plain_name(first) + " chunk");
+    node.mesh = merged_mesh(model_, pattern.mesh, transforms);
     return append(std::move(node));
   }
 

@@ -142,10 +142,10 @@ Value table_of(Evaluator& evaluator, Items tiles, const Followers& followers, Sp
 }
 
 Value pairs_value(Evaluator& evaluator, std::vector<Value> tiles, const Followers& to_the_right,
-                  const Followers& below, Span span) {
+                  const Followers& below, const Value& source, Span span) {
   const Value right = table_of(evaluator, tiles, to_the_right, span);
   const Value down = table_of(evaluator, tiles, below, span);
-  return evaluator.make_list({evaluator.make_list(std::move(tiles), span), right, down}, span);
+  return evaluator.make_list({evaluator.make_list(std::move(tiles), span), right, down, source}, span);
 }
 
 Value pairs_of_file(Evaluator& evaluator, const std::string& file, Span span) {
@@ -160,7 +160,8 @@ Value pairs_of_file(Evaluator& evaluator, const std::string& file, Span span) {
   evaluator.step(span, found->names.size());
   std::vector<Value> tiles;
   for (const std::string& name : found->names) tiles.push_back(Value::string(name));
-  return pairs_value(evaluator, std::move(tiles), found->to_the_right, found->below, span);
+  return pairs_value(evaluator, std::move(tiles), found->to_the_right, found->below, Value::string(file),
+                     span);
 }
 
 /// Learns the pairs of an exemplar that stands in the program.
@@ -176,7 +177,7 @@ class ListedExemplar {
         if (y + 1 < numbers_.size()) add(below_, numbers_[y][x], numbers_[y + 1][x]);
       }
     }
-    return pairs_value(evaluator_, std::move(tiles_), right_, below_, span_);
+    return pairs_value(evaluator_, std::move(tiles_), right_, below_, numbers(), span_);
   }
 
  private:
@@ -207,6 +208,17 @@ class ListedExemplar {
     return static_cast<std::uint32_t>(tiles_.size() - 1);
   }
 
+  /// Returns the exemplar with the numbers of its tiles.
+  Value numbers() {
+    std::vector<Value> rows;
+    for (const std::vector<std::uint32_t>& row : numbers_) {
+      std::vector<Value> tiles;
+      for (const std::uint32_t tile : row) tiles.emplace_back(static_cast<std::int64_t>(tile));
+      rows.push_back(evaluator_.make_list(std::move(tiles), span_));
+    }
+    return evaluator_.make_list(std::move(rows), span_);
+  }
+
   static void add(Followers& followers, std::uint32_t first, std::uint32_t second) {
     auto& known = followers[first];
     if (std::ranges::find(known, second) == known.end()) known.push_back(second);
@@ -228,6 +240,13 @@ Value tile_pairs(Evaluator& evaluator, Call call) {
     return evaluator.with_items(exemplar, "tile_pairs", span,
                                 [&](Items rows) { return ListedExemplar(evaluator, span).pairs(rows); });
   });
+}
+
+Value tile_sites(Evaluator& evaluator, Call call) {
+  const auto* const width = call.arguments[0].plain<std::int64_t>();
+  const auto* const height = call.arguments[1].plain<std::int64_t>();
+  if (width != nullptr && height != nullptr) evaluator.effects().tile_map(*width, *height, call.arguments[2]);
+  return Value::nil();
 }
 
 }  // namespace solitaire

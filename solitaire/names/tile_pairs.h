@@ -6,11 +6,16 @@
 
 namespace solitaire {
 
+/// Numbers of tiles in rows from the top.
+using TileRows = std::vector<std::vector<std::uint32_t>>;
+inline constexpr std::uint32_t kNoTile = UINT32_MAX;
+
 /// Which tiles may be beside each other, as a program asks about it.
 struct TilePairs {
   std::vector<std::string> names;
   std::vector<std::vector<std::uint32_t>> to_the_right;  // by tile: those that may be to its right
   std::vector<std::vector<std::uint32_t>> below;         // by tile: those that may be below it
+  std::vector<TileRows> exemplars;                       // kNoTile for a hole
 };
 
 /// Knows the pairs of tiles that files tell: exemplars, and problem files of `solitaire tiles`. Several

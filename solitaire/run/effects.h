@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,6 +45,8 @@ class Effects {
   virtual void unit_is_open() { needs_execution(); }
   /// Returns the length of a unit here, nothing where choices decide about it.
   virtual std::optional<double> unit() const = 0;
+  /// The last choices, width times height of them, are the sites of a map of tiles, row by row from the top.
+  virtual void tile_map(std::int64_t /*width*/, std::int64_t /*height*/, const Value& /*source*/) {}
   virtual void print(std::span<const Value> arguments) = 0;
   /// Only an execution shows what happens here.
   virtual void needs_execution() {}

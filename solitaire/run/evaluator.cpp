@@ -35,6 +35,7 @@ class Executor::Run {
     execution_.log_weight = 0;
     execution_.weightless.reset();
     execution_.choices.clear();
+    execution_.tile_maps.clear();
     execution_.placements.clear();
     execution_.unit = 1;
     execution_.printed.clear();

@@ -55,6 +55,13 @@ struct MetChoice {
   bool auxiliary = false;  // as of a TraceChoice
 };
 
+/// A map of tiles that was chosen: its sites are choices that follow each other, row by row from the top.
+struct TileMap {
+  std::size_t first_choice;  // in Execution::choices
+  std::int64_t width, height;
+  Value source;  // what its set of tiles was learned from (tile_pairs): rows of numbers, or a file's name
+};
+
 /// The result of one run with answered choices.
 struct Execution {
   std::optional<Rejection> rejection;  // nothing in a solution
@@ -66,6 +73,7 @@ struct Execution {
   Value value;                         // what the program returned
   Value before_output;                 // what it had returned before its output; Unset if it has none
   std::vector<MetChoice> choices;      // in the order in which they were met
+  std::vector<TileMap> tile_maps;
   std::vector<Placement> placements;
   std::vector<CallRecord> calls;     // on the way to placements
   double unit = 1;                   // metres in one unit of the program

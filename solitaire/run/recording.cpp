@@ -62,6 +62,13 @@ void ExecutionEffects::placement(Placement placement, const BuiltinCall&) {
   execution_.placements.push_back(std::move(placement));
 }
 
+void ExecutionEffects::tile_map(std::int64_t width, std::int64_t height, const Value& source) {
+  const std::size_t met = execution_.choices.size();
+  if (width < 1 || height < 1 || static_cast<std::size_t>(width) > met / static_cast<std::size_t>(height))
+    return;
+  execution_.tile_maps.push_back({met - static_cast<std::size_t>(width * height), width, height, source});
+}
+
 void ExecutionEffects::print(std::span<const Value> arguments) {
   std::string line;
   for (std::size_t i = 0; i < arguments.size(); ++i) {

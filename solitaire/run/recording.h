@@ -18,6 +18,7 @@ class ExecutionEffects : public Effects {
   void placement(Placement placement, const BuiltinCall& call) override;
   void unit(double metres) override { execution_.unit = metres; }
   std::optional<double> unit() const override { return execution_.unit; }
+  void tile_map(std::int64_t width, std::int64_t height, const Value& source) override;
   void print(std::span<const Value> arguments) override;
   void followed(const Value&, Span) override {}
   void blocked(const BranchSide&, Span) override {}

@@ -22,8 +22,9 @@ ALLOWED = {
     "kernel": {"base", "tracegraph"},
     "scene": {"base"},
     "engines": BELOW_ENGINES,
+    "engines/tile_maps": BELOW_ENGINES | {"engines", "engines/tiles"},
     "engines/tiles": {"base", "tracegraph", "smt", "engines"},
-    "library": BELOW_ENGINES | {"engines", "engines/tiles", "scene"},
+    "library": BELOW_ENGINES | {"engines", "engines/tiles", "engines/tile_maps", "scene"},
     "app": {"library", "engines/tiles", "scene", "base"},
 }
 # Programs beside the product: they may include anything, but form no circles.

@@ -8,6 +8,8 @@
 #include "engines/tiles/read/png.h"
 #include "engines/tiles/read/text.h"
 #include "engines/tiles/read/vox.h"
+#include "engines/tiles/request/debroglie.h"
+#include "engines/tiles/request/request_file.h"
 #include "engines/tiles/tiled/tiled_map.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   Tileset tileset;
   try {
-    switch (data[0] % 9) {
+    switch (data[0] % 11) {
       case 0:
         read_text("fuzz", bytes, tileset, true);
         break;
@@ -40,6 +42,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 7:
         decode_gids("fuzz", bytes, "base64", "zstd", 100);
+        break;
+      case 8:
+        parse_debroglie("nowhere/fuzz.json", bytes);
+        break;
+      case 9:
+        parse_request("nowhere/fuzz.tiles.json", bytes);
         break;
       default:
         decode_gids("fuzz", bytes, "base64", "zlib", 100);

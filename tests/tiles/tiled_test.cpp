@@ -182,6 +182,59 @@ TEST_CASE("a written map keeps what Tiled knows of it, and has one layer") {
   CHECK(written.find("\n5,5\n") != std::string::npos);
 }
 
+TEST_CASE("a tile of several visible layers is what stands there in all of them, and comes back so") {
+  const Land land;
+  const std::string
+      ground = layer(R"(<data encoding="csv">5,5,0,6,5,5</data>)"),
+      above = layer(R"(<data encoding="csv">0,2147483654,0,0,6,0</data>)"),
+      roof = layer(R"(<data encoding="csv">0,0,5,0,0,0</data>)"),
+      hidden = R"(<layer visible="0" width="3" height="2"><data encoding="csv">6,6,6,6,6,6</data></layer>)";
+  const fs::path path = land.write("m.tmx", map_with(ground + hidden + above + roof));
+  Tileset tileset;
+  const Grid map = read_tiled(path, tileset, true);
+  CHECK(names_in(map, tileset) ==
+        std::vector<std::string>{"grass", "grass+land#1!h", "-+-+grass", "land#1", "grass+land#1", "grass"});
+  const Picture& both = tileset[map[1]].icon;
+  CHECK(both.at(0, 0)[0] == 2);  // the upper tile, mirrored
+  const std::string written = write_tmx(map, tileset, path, land.path());
+  CHECK(written.find("\n5,5,0,\n6,5,5\n") != std::string::npos);
+  CHECK(written.find("\n0,2147483654,0,\n0,6,0\n") != std::string::npos);
+  CHECK(written.find("\n0,0,5,\n0,0,0\n") != std::string::npos);
+  CHECK(written.find("6,6,6") == std::string::npos);
+  Tileset again;
+  CHECK(read_tiled(land.write("copy.tmx", written), again, true) == map);
+}
+
+TEST_CASE("a tile's custom properties say its weight, its model and whether it turns") {
+  const Land land;
+  const std::string properties = R"(<properties><property name="name" value="tree"/>
+    <property name="weight" type="float" value="2.5"/><property name="asset" value="oak"/>
+    <property name="rotate" type="bool" value="false"/></properties>)";
+  land.write("trees.tsx", R"(<tileset name="trees" tilewidth="2" tileheight="2"><tile id="0">)" + properties +
+                              "</tile></tileset>");
+  land.write("trees.tsj",
+             R"({"name": "trees", "tilewidth": 2, "tileheight": 2, "tiles": [{"id": 0, "properties": [
+    {"name": "name", "value": "tree"}, {"name": "weight", "value": 2.5}, {"name": "asset", "value": "oak"},
+    {"name": "rotate", "value": false}]}]})");
+  for (const std::string ending : {"tsx", "tsj"}) {
+    CAPTURE(ending);
+    Tileset tileset;
+    read_tiled(land.write("m.tmx", map_with(layer(R"(<data encoding="csv">5,5,5,5,5,5</data>)"),
+                                            "source=\"trees." + ending + "\"")),
+               tileset, true);
+    REQUIRE(tileset.size() == 1);
+    CHECK(tileset[0].name == "tree");
+    CHECK(tileset[0].bias == 2.5);
+    CHECK(tileset[0].asset == "oak");
+    CHECK_FALSE(tileset[0].rotates);
+  }
+  land.write("trees.tsx", R"(<tileset name="trees"><tile id="0"><properties>
+    <property name="weight" value="-1"/></properties></tile></tileset>)");
+  CHECK(error_of(land.write("m.tmx", map_with(layer(R"(<data encoding="csv">5,5,5,5,5,5</data>)"),
+                                              R"(source="trees.tsx")")))
+            .find("a tile has the weight -1") != std::string::npos);
+}
+
 TEST_CASE("a map is written as .tmj after the pattern of one, and read back with its flags") {
   const Land land;
   const fs::path path =
@@ -222,7 +275,9 @@ TEST_CASE("mistakes in maps of Tiled are told") {
   CHECK(error(map_with(R"(<layer width="1000000" height="1000000"><data encoding="csv">5</data></layer>)")) ==
         "m.tmx: a layer has more than 4194304 tiles");
   const std::string whole = layer(R"(<data encoding="csv">5,6,0,6,5,5</data>)");
-  CHECK(error(map_with(whole + whole)) == "m.tmx: has several visible layers; hide all but one");
+  std::string many;
+  for (int layer = 0; layer < 17; ++layer) many += whole;
+  CHECK(error(map_with(many)) == "m.tmx: has more than 16 visible layers; hide the others");
   CHECK(error(map_with(whole, R"(source="../land.tsx")")).find("is not in the map's folder") !=
         std::string::npos);
   CHECK(error(map_with(whole, R"(source="/etc/passwd")")).find("is not in the map's folder") !=

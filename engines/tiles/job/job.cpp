@@ -33,6 +33,10 @@ namespace {
 /// How long it takes at most until a wish to stop is passed on.
 constexpr std::chrono::milliseconds kPatience(10);
 
+/// The shapes of patches whose frequencies are compared with those of the exemplars.
+const std::array<Size, 6> kSummedUp{
+    {{{1, 1, 1}}, {{2, 1, 1}}, {{1, 2, 1}}, {{2, 2, 1}}, {{4, 1, 1}}, {{1, 4, 1}}}};
+
 /// Stops whatever still looks at a signal when a run is left, in whichever way.
 struct StopAtEnd {
   StopSignal& signal;
@@ -112,6 +116,31 @@ std::vector<FarPoint> chunks_of(const JobOptions& options, const Size& size) {
 std::string size_text(const Size& size) {
   return size.depth() > 1 ? fmt::format("{}x{}x{}", size.width(), size.height(), size.depth())
                           : fmt::format("{}x{}", size.width(), size.height());
+}
+
+/// Returns the share that each tile has of a map.
+nlohmann::ordered_json shares_of(const Grid& map, const Tileset& tileset) {
+  std::vector<std::size_t> counts(tileset.size());
+  for (const Tile tile : map.tiles) {
+    if (tile != kHole) ++counts[tile];
+  }
+  nlohmann::ordered_json shares = nlohmann::ordered_json::object();
+  for (std::size_t tile = 0; tile < counts.size(); ++tile) {
+    shares[tileset[static_cast<Tile>(tile)].name] =
+        static_cast<double>(counts[tile]) / static_cast<double>(map.tiles.size());
+  }
+  return shares;
+}
+
+/// Returns how far the patches of a map are from those of the exemplars, by shape: the divergences of
+/// Kullback and Leibler and of Jensen and Shannon.
+nlohmann::ordered_json divergences_of(const Style& style, const Grid& map) {
+  nlohmann::ordered_json divergences = nlohmann::ordered_json::object();
+  for (const Size& shape : kSummedUp) {
+    const Divergence d = divergence(style, {&map, 1}, shape);
+    divergences[size_text(shape)] = {{"kl", d.kullback_leibler}, {"js", d.jensen_shannon}};
+  }
+  return divergences;
 }
 
 }  // namespace
@@ -273,12 +302,15 @@ std::string Job::file(const std::string& format, int pixels, const std::filesyst
       throw RequestError(fmt::format("--format {0} needs a .{0} map as the first exemplar", format));
     return (format == "tmx" ? write_tmx : write_tmj)(sample.map, tileset, exemplars.front().file, folder);
   }
-  return write_json(sample.map, tileset,
-                    {{"index", state_->number},
-                     {"seed", state_->options.sampling.seed},
-                     {"sweeps", sample.sweeps},
-                     {"windows", sample.windows},
-                     {"refused", sample.refused}});
+  nlohmann::ordered_json about{{"index", state_->number},
+                               {"seed", state_->options.sampling.seed},
+                               {"sampler", name_of(state_->options.sampling.kind)},
+                               {"sweeps", sample.sweeps},
+                               {"windows", sample.windows},
+                               {"refused", sample.refused},
+                               {"shares", shares_of(sample.map, tileset)}};
+  if (!state_->style->exemplars.empty()) about["divergence"] = divergences_of(*state_->style, sample.map);
+  return write_json(sample.map, tileset, about);
 }
 
 std::vector<ShownTile> Job::shown_tiles() const {
@@ -304,9 +336,9 @@ std::string Job::summary() const {
   if (state.refused > 0) text += fmt::format(", {} put back", state.refused);
   if (state.style->exemplars.empty()) return text + "\n";
   text += "\n  divergence from the exemplars (KL/JS):";
-  for (const Point& extent : {Point{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 1}, {4, 1, 1}, {1, 4, 1}}) {
-    const Divergence d = divergence(*state.style, state.maps, {extent});
-    text += fmt::format(" {} {:.2f}/{:.2f}", size_text({extent}), d.kullback_leibler, d.jensen_shannon);
+  for (const Size& shape : kSummedUp) {
+    const Divergence d = divergence(*state.style, state.maps, shape);
+    text += fmt::format(" {} {:.2f}/{:.2f}", size_text(shape), d.kullback_leibler, d.jensen_shannon);
   }
   return text + "\n";
 }

@@ -19,14 +19,22 @@ constexpr Sides side(std::size_t axis, int step) {
   return static_cast<Sides>(1U << (2 * axis + (step > 0 ? 0 : 1)));
 }
 
+/// A tile of one layer of a map of Tiled.
+struct TiledPart {
+  std::uint32_t gid = 0;  // with its flags; 0 where the layer has no tile
+  std::string name;       // without what says how it is turned
+};
+
 /// A kind of tile.
 struct TileKind {
-  std::string name;                   // unique in its tileset
-  std::string text;                   // the character of text maps
-  Rgba color{};                       // of maps that give a pixel to a tile
-  Picture icon;                       // empty: a plain square of the colour
-  std::optional<std::uint32_t> gid;   // in the Tiled map that it was read from, with its flags
-  double bias = 1;                    // multiplies the weight of each occurrence
+  std::string name;  // unique in its tileset
+  std::string text;  // the character of text maps
+  Rgba color{};      // of maps that give a pixel to a tile
+  Picture icon;      // empty: a plain square of the colour
+  std::optional<std::uint32_t>
+      gid;                       // in the lowest layer of the Tiled map that it was read from, with its flags
+  std::vector<TiledPart> parts;  // by visible layer of that map, from below
+  double bias = 1;               // multiplies the weight of each occurrence
   std::optional<std::uint8_t> voxel;  // its colour's number in .vox models; 0 is empty
   std::string asset;                  // the model that scenes show; empty: a box of the colour
   int turn = 0;                       // quarter turns of the model, counter-clockwise seen from above

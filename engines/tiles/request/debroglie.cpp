@@ -45,10 +45,10 @@ struct Images {
 /// Reads one configuration.
 class DebroglieReader {
  public:
-  explicit DebroglieReader(const fs::path& path)
+  DebroglieReader(const fs::path& path, const std::string& text)
       : name_(path.string()),
         folder_(path.parent_path()),
-        json_(parse_json(name_, strict_json(read_bytes(path)))),
+        json_(parse_json(name_, strict_json(text))),
         file_(name_, json_, "") {}
 
   Request read() {
@@ -314,6 +314,10 @@ class DebroglieReader {
 
 }  // namespace
 
-Request read_debroglie(const fs::path& path) { return DebroglieReader(path).read(); }
+Request read_debroglie(const fs::path& path) { return parse_debroglie(path, read_bytes(path)); }
+
+Request parse_debroglie(const fs::path& path, const std::string& text) {
+  return DebroglieReader(path, text).read();
+}
 
 }  // namespace solitaire::tiles

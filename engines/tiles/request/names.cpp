@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engines/tiles/request/request_error.h"
+#include "engines/tiles/tiled/gid_flags.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -18,7 +19,9 @@ std::optional<Tile> tile_numbered(const Tileset& tileset, const std::string& tex
   if (error != std::errc{} || stop != end) return std::nullopt;
   for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
     const TileKind& kind = tileset[static_cast<Tile>(tile)];
-    if (kind.gid == number || kind.voxel == number) return static_cast<Tile>(tile);
+    const bool is_stacked =
+        kind.parts.size() > 1 && name_of_parts(kind.parts) != name_of_parts({kind.parts.front()});
+    if ((kind.gid == number && !is_stacked) || kind.voxel == number) return static_cast<Tile>(tile);
   }
   return std::nullopt;
 }

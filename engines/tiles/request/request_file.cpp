@@ -32,10 +32,11 @@ constexpr int kMostNesting = 4;
 class RequestReader {
  public:
   /// `nesting` counts the problem files that lead here.
-  RequestReader(const fs::path& path, int nesting)
-      : name_(path.string()), folder_(path.parent_path()), nesting_(nesting) {
-    json_ = parse_json(name_, read_bytes(path));
-  }
+  RequestReader(const fs::path& path, const std::string& text, int nesting)
+      : name_(path.string()),
+        folder_(path.parent_path()),
+        nesting_(nesting),
+        json_(parse_json(name_, text)) {}
 
   Request read() {
     JsonObject file(name_, json_, "");
@@ -339,7 +340,9 @@ class RequestReader {
     if (nesting_ == kMostNesting)
       object.fail("from", fmt::format("is a problem file in another one, more than {} deep", kMostNesting));
     DistrictsEntry districts;
-    districts.coarse = std::make_shared<Request>(RequestReader(path(object, "from"), nesting_ + 1).read());
+    const fs::path coarse = path(object, "from");
+    districts.coarse =
+        std::make_shared<Request>(RequestReader(coarse, read_bytes(coarse), nesting_ + 1).read());
     if (object.has("scale")) districts.scale = static_cast<int>(object.number("scale", 1, 1024));
     object.require_no_more();
     request_.districts = std::move(districts);
@@ -354,6 +357,10 @@ class RequestReader {
 
 }  // namespace
 
-Request read_request(const fs::path& path) { return RequestReader(path, 0).read(); }
+Request read_request(const fs::path& path) { return parse_request(path, read_bytes(path)); }
+
+Request parse_request(const fs::path& path, const std::string& text) {
+  return RequestReader(path, text, 0).read();
+}
 
 }  // namespace solitaire::tiles

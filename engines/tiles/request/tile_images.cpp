@@ -42,7 +42,7 @@ std::optional<Tile> TileImages::mirrored(Tile tile) {
 std::optional<Tile> TileImages::like(Tile tile, TileKind wanted) {
   const TileKind& kind = tileset_[tile];
   if (!kind.rotates || unknown_ == UnknownImages::kNothing) return std::nullopt;
-  if (kind.voxel || kind.gid == 0U || unknown_ == UnknownImages::kItself) return tile;
+  if (kind.voxel || (kind.gid && kind.parts.empty()) || unknown_ == UnknownImages::kItself) return tile;
   if (kind.gid) {
     const auto known = tileset_.find(wanted.name);
     return known ? *known : tileset_.add(std::move(wanted));

@@ -29,12 +29,13 @@ Picture mirrored(const Picture& icon) {
   return result;
 }
 
-/// Gives a tile of Tiled another gid, and the letters of its flags at the end of its name.
-void set_gid(std::uint32_t gid, TileKind& kind) {
-  if (!kind.gid) return;
-  const std::size_t letters = flag_letters(*kind.gid).size();
-  kind.name = kind.name.substr(0, kind.name.size() - letters) + flag_letters(gid);
-  kind.gid = gid;
+/// Turns the gids of a tile of Tiled, and with them its name.
+template <class Turn>
+void turn_gids(TileKind& kind, Turn turn) {
+  if (kind.parts.empty()) return;
+  for (TiledPart& part : kind.parts) part.gid = part.gid == 0 ? 0 : turn(part.gid);
+  kind.gid = kind.parts.front().gid;
+  kind.name = name_of_parts(kind.parts);
 }
 
 /// Says of each of several turned tiles which one it is after a further quarter.
@@ -64,7 +65,7 @@ TileKind turned_kind(const TileKind& kind) {
   result.edges[kLeft] = kind.edges[kBottom];
   result.edges[kTop] = kind.edges[kLeft];
   result.turn = (kind.turn + 3) % 4;
-  set_gid(turned_gid(kind.gid.value_or(0)), result);
+  turn_gids(result, turned_gid);
   return result;
 }
 
@@ -73,7 +74,7 @@ TileKind mirrored_kind(const TileKind& kind) {
   result.icon = mirrored(kind.icon);
   std::swap(result.edges[kRight], result.edges[kLeft]);
   for (std::string& label : result.edges) label = reversed_label(label);
-  set_gid(mirrored_gid(kind.gid.value_or(0)), result);
+  turn_gids(result, mirrored_gid);
   return result;
 }
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "engines/tiles/model/global_rule.h"
-#include "engines/tiles/model/problem.h"
+#include "engines/tiles/model/tileset.h"
 
 namespace solitaire::tiles {
 
@@ -17,7 +17,7 @@ class Connected : public GlobalRule {
   /// Returns how many components there are too many.
   std::uint64_t violation(const Grid& map) const override;
   std::string text() const override { return text_; }
-  TileMask passable() const;
+  TileMask kept_without() const override;
 
  private:
   Topology topology_;

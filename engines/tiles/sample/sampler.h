@@ -32,6 +32,10 @@ Sample draw_sample(const Problem& problem, const std::vector<TileMask>& domains,
 Sample sample_windows(const Problem& problem, const std::vector<TileMask>& domains,
                       const SamplerOptions& options, std::uint64_t number, const StopSignal& stop);
 
+/// The same, beginning with a map that keeps all rules.
+Sample redraw_map(const Problem& problem, const std::vector<TileMask>& domains, const SamplerOptions& options,
+                  std::uint64_t number, const StopSignal& stop, const Grid& start);
+
 /// By block search (the paper's algorithms 1 and 2).
 Sample sample_blockss(const Problem& problem, const SamplerOptions& options, std::uint64_t number,
                       const StopSignal& stop);

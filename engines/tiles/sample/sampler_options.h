@@ -13,6 +13,27 @@ enum class SamplerKind : std::uint8_t {
   kSearch,   // a SAT solver alone
 };
 
+/// Returns what the command line calls a sampler.
+inline const char* name_of(SamplerKind kind) {
+  switch (kind) {
+    case SamplerKind::kWindows:
+      return "windows";
+    case SamplerKind::kBlockSs:
+      return "blockss";
+    case SamplerKind::kWfc:
+      return "wfc";
+    case SamplerKind::kRaster:
+      return "raster";
+    case SamplerKind::kMh:
+      return "mh";
+    case SamplerKind::kGibbs:
+      return "gibbs";
+    case SamplerKind::kSearch:
+      break;
+  }
+  return "search";
+}
+
 struct SamplerOptions {
   SamplerKind kind = SamplerKind::kWindows;
   std::uint64_t seed = 0;

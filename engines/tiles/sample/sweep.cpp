@@ -10,6 +10,8 @@ constexpr int kLongestBand = 256;
 constexpr std::uint64_t kThickEvery = 4;
 /// Bands are three sites high where so few columns of three tiles are allowed, else two.
 constexpr std::size_t kMostColumns = 100;
+/// Columns of boxes can be filled in so many ways at most.
+constexpr double kMostWays = 6000;
 
 /// A piece of an axis: sites from `from` on, so many of them, going round where the axis is a ring.
 struct Piece {
@@ -48,7 +50,38 @@ std::size_t columns_of_three(const Style& style) {
   return most;
 }
 
+/// Returns in how many ways columns along an axis can be filled, one after the other by their height from 1
+/// on.
+std::vector<double> ways_by_height(const PairRules& pairs, std::size_t tiles, std::size_t axis, int most) {
+  std::vector<double> ending(tiles, 1.0), ways;
+  for (int height = 1; height <= most; ++height) {
+    double sum = 0;
+    for (const double each : ending) sum += each;
+    ways.push_back(sum);
+    std::vector<double> next(tiles, 0.0);
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+      pairs.beside(static_cast<Tile>(tile), axis, -1).for_each([&](Tile before) {
+        next[tile] += ending[before];
+      });
+    }
+    ending = std::move(next);
+  }
+  return ways;
+}
+
 }  // namespace
+
+int SweepPlan::affordable_height(int most) const {
+  int height = most;
+  const Style& style = problem_.style();
+  for (const PairRules& pairs : style.pairs) {
+    for (const std::size_t axis : axes_) {
+      const std::vector<double> ways = ways_by_height(pairs, style.tileset.size(), axis, most);
+      while (height > 2 && ways[static_cast<std::size_t>(height - 1)] > kMostWays) --height;
+    }
+  }
+  return height;
+}
 
 SweepPlan::SweepPlan(const Problem& problem)
     : problem_(problem), thickest_(columns_of_three(problem.style()) <= kMostColumns ? 3 : 2) {

@@ -15,6 +15,9 @@ class SweepPlan {
   /// Returns bands: rows and columns in turns, most of them one site high, every fourth two, or three where
   /// that does not take too long.
   Windows bands(std::uint64_t sweep, RandomStream& random) const;
+  /// Returns the largest height, up to `most`, of boxes whose columns can be filled in so few ways that
+  /// redrawing them does not take long; at least 2.
+  int affordable_height(int most) const;
   /// Returns boxes of up to so many sites along each axis that is longer than 1.
   Windows boxes(int length, int height, std::uint64_t sweep, RandomStream& random) const;
 

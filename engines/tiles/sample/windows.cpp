@@ -11,9 +11,11 @@
 namespace solitaire::tiles {
 namespace {
 
-constexpr int kBoxLength = 8, kBoxHeight = 6;  // of windows where global rules are looked at
-constexpr double kPull = 1.5;                  // how much a window that mends a global rule is favoured
-constexpr std::uint64_t kMostMending = 400;    // sweeps that are added until the rules hold
+constexpr int kBoxLength = 8, kBoxHeight = 6;      // of windows where global rules are looked at
+constexpr int kSmallLength = 3, kSmallHeight = 2;  // of further ones, while rules are broken
+constexpr std::uint64_t kSmallWindows = std::uint64_t{1} << 40U;  // their numbers begin here
+constexpr double kPull = 1.5;                // how much a window that mends a global rule is favoured
+constexpr std::uint64_t kMostMending = 400;  // sweeps that are added until the rules hold
 
 /// Makes one map.
 class WindowSampling {
@@ -27,7 +29,8 @@ class WindowSampling {
         stop_(stop),
         plan_(problem),
         frontier_(problem),
-        weights_(problem.style()) {}
+        weights_(problem.style()),
+        height_(plan_.affordable_height(kBoxHeight)) {}
 
   void run(Sample& sample) {
     sample_ = &sample;
@@ -51,14 +54,23 @@ class WindowSampling {
   void sweep() {
     const std::uint64_t sweep = sample_->sweeps;
     RandomStream cuts(key_, Purpose::kTiles, mix(sweep, UINT64_MAX));
+    if (problem_.global_rules().empty()) {
+      redraw_all(plan_.bands(sweep, cuts), 0);
+      return;
+    }
+    redraw_all(plan_.boxes(kBoxLength, height_, sweep, cuts), 0);
+    // Small windows mend what large ones hardly ever do, since they change less that is in order.
+    if (violation_ > 0) redraw_all(plan_.boxes(kSmallLength, kSmallHeight, sweep, cuts), kSmallWindows);
+  }
+
+  /// Redraws windows, whose random numbers are those of the sweep from `first` on.
+  void redraw_all(SweepPlan::Windows windows, std::uint64_t first) {
     const bool global = !problem_.global_rules().empty();
-    SweepPlan::Windows windows =
-        global ? plan_.boxes(kBoxLength, kBoxHeight, sweep, cuts) : plan_.bands(sweep, cuts);
     for (std::uint64_t number = 0; number < windows.size(); ++number) {
       if (stop_.stopped()) return;
       leave_out_fixed(windows[number]);
       if (windows[number].empty()) continue;
-      RandomStream random(key_, Purpose::kTiles, mix(sweep, number));
+      RandomStream random(key_, Purpose::kTiles, mix(sample_->sweeps, first + number));
       ++sample_->windows;
       global ? redraw_under_rules(windows[number], random) : redraw(windows[number], random);
     }
@@ -105,7 +117,39 @@ class WindowSampling {
   Sample* sample_ = nullptr;
   std::uint64_t violation_ = 0;
   std::vector<Tile> before_;
+  int height_;  // of boxes
 };
+
+}  // namespace
+
+Sample redraw_map(const Problem& problem, const std::vector<TileMask>& domains, const SamplerOptions& options,
+                  std::uint64_t number, const StopSignal& stop, const Grid& start) {
+  Sample sample;
+  sample.map = start;
+  sample.outcome = Outcome::kFound;
+  WindowSampling(problem, domains, options, number, stop).run(sample);
+  return sample;
+}
+
+namespace {
+
+/// Makes a start that keeps as many of the rules as it can: without the tiles that some are about, where
+/// there is such a map. Networks then grow from what is pinned, or from one place, and stay connected.
+Outcome make_sparse_start(const Problem& problem, const std::vector<TileMask>& domains, RandomStream& random,
+                          const StopSignal& stop, Grid& map) {
+  TileMask avoided;
+  for (const auto& rule : problem.global_rules()) avoided |= rule->kept_without();
+  if (!avoided.empty()) {
+    Problem sparse = problem;
+    for (std::uint32_t site = 0; site < problem.sites(); ++site) {
+      const TileMask rest = domains[site].without(avoided);
+      sparse.add({"", {site}, rest.empty() ? domains[site] : rest});
+    }
+    const Outcome outcome = make_start(sparse, consistent_domains(sparse), random, stop, map);
+    if (outcome != Outcome::kNone) return outcome;
+  }
+  return make_start(problem, domains, random, stop, map);
+}
 
 }  // namespace
 
@@ -113,7 +157,8 @@ Sample sample_windows(const Problem& problem, const std::vector<TileMask>& domai
                       const SamplerOptions& options, std::uint64_t number, const StopSignal& stop) {
   Sample sample;
   RandomStream random(mix(options.seed, number), Purpose::kTiles, UINT64_MAX);
-  sample.outcome = make_start(problem, domains, random, stop, sample.map);
+  sample.outcome =
+      domains.empty() ? Outcome::kNone : make_sparse_start(problem, domains, random, stop, sample.map);
   if (sample.outcome == Outcome::kFound) WindowSampling(problem, domains, options, number, stop).run(sample);
   return sample;
 }

@@ -46,6 +46,16 @@ std::string flag_letters(std::uint32_t gid) {
   return letters.empty() ? "" : "!" + letters;
 }
 
+std::string name_of_parts(std::vector<TiledPart> parts) {
+  while (parts.size() > 1 && parts.back().gid == 0) parts.pop_back();
+  std::string name;
+  for (const TiledPart& part : parts) {
+    if (&part != &parts.front()) name += '+';
+    name += part.gid == 0 ? "-" : part.name + flag_letters(part.gid);
+  }
+  return name;
+}
+
 void turn_place(std::uint32_t gid, int side, int& x, int& y) {
   if ((gid & kFlipAcross) != 0) x = side - 1 - x;
   if ((gid & kFlipDown) != 0) y = side - 1 - y;

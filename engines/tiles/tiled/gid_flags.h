@@ -1,6 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include "engines/tiles/model/tileset.h"
 
 namespace solitaire::tiles {
 
@@ -14,6 +17,10 @@ inline constexpr std::uint32_t kFlags = 0xf0000000U;
 
 /// Returns what a tile's name has at its end for the flags: "!dh", or nothing.
 std::string flag_letters(std::uint32_t gid);
+
+/// Returns the name of a tile that consists of these parts: those of its layers from below, with + between
+/// them and - where a layer has none.
+std::string name_of_parts(std::vector<TiledPart> parts);
 
 /// Finds the pixel of the tile that is seen at a place of its turned image, both in squares of that side.
 void turn_place(std::uint32_t gid, int side, int& x, int& y);

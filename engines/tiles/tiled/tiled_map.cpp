@@ -14,6 +14,7 @@ namespace solitaire::tiles {
 namespace {
 
 constexpr std::int64_t kMostExtent = 1 << 20;
+constexpr std::size_t kMostLayers = 16;
 constexpr double kSlack = 0.1;  // of a tile, by which a rectangle may be off
 
 std::vector<std::uint32_t> decode_csv(const std::string& file, const std::string& text, std::size_t count) {
@@ -118,16 +119,21 @@ std::vector<std::uint32_t> decode_gids(const std::string& file, const std::strin
   return gids;
 }
 
-void TiledLayer::add(const std::string& file, std::int64_t x, std::int64_t y, std::int64_t width,
-                     std::int64_t height, const std::vector<std::uint32_t>& gids) {
+void TiledLayers::begin(const std::string& file) {
+  if (++layers_ > kMostLayers)
+    throw FileError(file, fmt::format("has more than {} visible layers; hide the others", kMostLayers));
+}
+
+void TiledLayers::add(const std::string& file, std::int64_t x, std::int64_t y, std::int64_t width,
+                      std::int64_t height, const std::vector<std::uint32_t>& gids) {
   const bool fits = width > 0 && height > 0 && width <= kMostExtent && height <= kMostExtent &&
                     std::abs(x) <= kMostExtent && std::abs(y) <= kMostExtent &&
                     static_cast<std::size_t>(width * height) == gids.size();
   if (!fits) throw FileError(file, "a layer has a size or place that cannot be");
-  chunks_.push_back({x, y, width, height, gids});
+  chunks_.push_back({layers_ - 1, x, y, width, height, gids});
 }
 
-void TiledLayer::write_to(const std::string& file, TiledMap& map) const {
+void TiledLayers::write_to(const std::string& file, TiledMap& map) const {
   if (chunks_.empty()) throw FileError(file, "has no tiles");
   std::int64_t left = kMostExtent, top = kMostExtent, right = -2 * kMostExtent, bottom = right;
   for (const Chunk& chunk : chunks_) {
@@ -137,18 +143,25 @@ void TiledLayer::write_to(const std::string& file, TiledMap& map) const {
     bottom = std::max(bottom, chunk.y + chunk.height);
   }
   const std::int64_t width = right - left, height = bottom - top;
-  if (static_cast<std::size_t>(width) > kMostSites / static_cast<std::size_t>(height)) {
+  if (static_cast<std::size_t>(width) > kMostSites / static_cast<std::size_t>(height) / layers_) {
     throw FileError(file, fmt::format("a map of {} x {} tiles is too large", width, height));
   }
   map.width = static_cast<int>(width);
   map.height = static_cast<int>(height);
-  map.gids.assign(static_cast<std::size_t>(width * height), 0);
+  map.layers.assign(layers_, std::vector<std::uint32_t>(static_cast<std::size_t>(width * height)));
   for (const Chunk& chunk : chunks_) {
     for (std::int64_t y = 0; y < chunk.height; ++y) {
       const auto from = chunk.gids.begin() + y * chunk.width;
-      std::copy(from, from + chunk.width, map.gids.begin() + (chunk.y - top + y) * width + chunk.x - left);
+      std::copy(from, from + chunk.width,
+                map.layers[chunk.layer].begin() + (chunk.y - top + y) * width + chunk.x - left);
     }
   }
+}
+
+double checked_weight(const std::string& file, double weight) {
+  if (!(weight >= 1e-6 && weight <= 1e6))
+    throw FileError(file, fmt::format("a tile has the weight {}; from 0.000001 to 1000000 are read", weight));
+  return weight;
 }
 
 TiledPin pin_of(const std::string& file, const TiledObject& object, int tile_width, int tile_height) {

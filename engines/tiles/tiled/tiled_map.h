@@ -14,14 +14,21 @@ namespace solitaire::tiles {
 /// so on clockwise. Empty where there is none.
 using WangColors = std::array<std::string, 8>;
 
+/// What the custom properties of a tile say, as far as they are read.
+struct TiledProperties {
+  std::string name, asset;
+  double weight = 1;
+  bool rotates = true;  // the property "rotate"
+};
+
 /// A tileset of a Tiled map.
 struct TiledTileset {
   std::uint32_t first_gid = 1;
   std::string name;
   int tile_width = 0, tile_height = 0, columns = 0, spacing = 0, margin = 0;
-  std::filesystem::path image;                 // empty: its tiles are single pictures, which are not read
-  std::map<std::uint32_t, std::string> names;  // of tiles with a property "name", by number in the set
-  std::map<std::uint32_t, WangColors> wang;    // of tiles in the first Wang set, by number in the set
+  std::filesystem::path image;  // empty: its tiles are single pictures, which are not read
+  std::map<std::uint32_t, TiledProperties> properties;  // by number in the set
+  std::map<std::uint32_t, WangColors> wang;  // of tiles in the first Wang set, by number in the set
 };
 
 /// A rectangle of the object layer "pins": sites from `from` to before `to` have one of the tiles.
@@ -30,19 +37,22 @@ struct TiledPin {
   std::vector<std::string> tiles;
 };
 
-/// What is read of a map of the editor Tiled: its one visible layer of tiles.
+/// What is read of a map of the editor Tiled: its visible layers of tiles.
 struct TiledMap {
   int width = 0, height = 0;
-  std::vector<std::uint32_t> gids;  // in rows from the top; 0 where no tile is
+  /// From below, each in rows from the top; 0 where no tile is.
+  std::vector<std::vector<std::uint32_t>> layers;
   std::vector<TiledTileset> tilesets;
   std::vector<TiledPin> pins;
 };
 
-/// Collects the layer of a map that may be in chunks.
-class TiledLayer {
+/// Collects the layers of a map, which may be in chunks.
+class TiledLayers {
  public:
-  /// Adds a rectangle of gids. Throws FileError if they are not as many as the rectangle has, or if the map
-  /// gets too large.
+  /// Begins the next layer, above the others. Throws FileError if there are too many.
+  void begin(const std::string& file);
+  /// Adds a rectangle of gids to the last layer. Throws FileError if they are not as many as the rectangle
+  /// has, or if the map gets too large.
   void add(const std::string& file, std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height,
            const std::vector<std::uint32_t>& gids);
   /// Writes the smallest rectangle around all to the map. Throws FileError if there is nothing.
@@ -50,10 +60,12 @@ class TiledLayer {
 
  private:
   struct Chunk {
+    std::size_t layer;
     std::int64_t x, y, width, height;
     std::vector<std::uint32_t> gids;
   };
   std::vector<Chunk> chunks_;
+  std::size_t layers_ = 0;
 };
 
 /// Decodes the data of a layer. `encoding` is csv or base64, `compression` empty, zlib, gzip or zstd; `count`
@@ -61,6 +73,9 @@ class TiledLayer {
 std::vector<std::uint32_t> decode_gids(const std::string& file, const std::string& text,
                                        const std::string& encoding, const std::string& compression,
                                        std::size_t count);
+
+/// Returns what the property "weight" of a tile says. Throws FileError for what is no weight.
+double checked_weight(const std::string& file, double weight);
 
 /// A rectangle in pixels, as Tiled has it.
 struct TiledObject {

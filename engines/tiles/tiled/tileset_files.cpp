@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "base/file_error.h"
@@ -65,10 +67,16 @@ class TiledTiles {
     const TiledTileset& tileset = map_.tilesets[set];
     const std::uint32_t id = plain - tileset.first_gid;
     TileKind kind;
-    const auto named = tileset.names.find(id);
-    kind.name = (named != tileset.names.end() ? named->second : fmt::format("{}#{}", tileset.name, id)) +
-                flag_letters(gid);
-    kind.gid = gid & ~kFlipHexagonal;
+    std::string name = fmt::format("{}#{}", tileset.name, id);
+    if (const auto found = tileset.properties.find(id); found != tileset.properties.end()) {
+      if (!found->second.name.empty()) name = found->second.name;
+      kind.asset = found->second.asset;
+      kind.bias = found->second.weight;
+      kind.rotates = found->second.rotates;
+    }
+    kind.parts = {{gid & ~kFlipHexagonal, std::move(name)}};
+    kind.name = name_of_parts(kind.parts);
+    kind.gid = kind.parts.front().gid;
     kind.icon = icon(tileset, pictures_[set], id, gid);
     kind.color = kind.icon.empty() ? palette_color(number) : mean_color(kind.icon);
     if (const auto wang = tileset.wang.find(id); wang != tileset.wang.end())
@@ -76,7 +84,43 @@ class TiledTiles {
     return kind;
   }
 
+  /// Returns the tile of several layers, of which some may have none.
+  TileKind stacked_kind(const std::vector<std::uint32_t>& gids, std::size_t number) const {
+    std::optional<TileKind> stacked;
+    std::vector<TiledPart> parts;
+    for (const std::uint32_t gid : gids) {
+      if ((gid & ~kFlags) == 0) {
+        parts.emplace_back();
+        continue;
+      }
+      TileKind layer = kind(gid, number);
+      parts.push_back(layer.parts.front());
+      if (!stacked) {
+        stacked = std::move(layer);
+      } else {
+        put_over(layer, *stacked);
+      }
+    }
+    stacked->parts = std::move(parts);
+    stacked->gid = stacked->parts.front().gid;
+    stacked->name = name_of_parts(stacked->parts);
+    return std::move(*stacked);
+  }
+
  private:
+  /// Draws a tile over another one.
+  static void put_over(const TileKind& above, TileKind& below) {
+    if (below.icon.width == above.icon.width && below.icon.height == above.icon.height) {
+      for (std::size_t at = 0; at < below.icon.pixels.size(); ++at) {
+        if (above.icon.pixels[at][3] >= 128) below.icon.pixels[at] = above.icon.pixels[at];
+      }
+      if (!below.icon.empty()) below.color = mean_color(below.icon);
+    }
+    below.bias *= above.bias;
+    below.rotates = below.rotates && above.rotates;
+    if (below.asset.empty()) below.asset = above.asset;
+  }
+
   /// Returns the square of a tile, turned as its flags say; empty if it is not in the picture.
   static Picture icon(const TiledTileset& tileset, const Picture& picture, std::uint32_t id,
                       std::uint32_t gid) {
@@ -151,6 +195,22 @@ void read_numbered_tiles_of(const std::filesystem::path& path, const std::set<st
   }
 }
 
+namespace {
+
+/// Returns the tile of the tileset that is called as a kind is, which is added to an open tileset.
+Tile tile_of(const std::filesystem::path& path, TileKind kind, Tileset& tileset, bool open) {
+  if (const auto tile = tileset.find(kind.name)) return *tile;
+  if (!open)
+    throw FileError(path.string(), fmt::format("has '{}', which is no tile of the tileset", kind.name));
+  try {
+    return tileset.add(std::move(kind));
+  } catch (const std::length_error& error) {
+    throw FileError(path.string(), error.what());
+  }
+}
+
+}  // namespace
+
 std::vector<TiledPin> read_pins(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
   if (ending != ".tmx" && ending != ".tmj")
@@ -164,24 +224,16 @@ Grid read_tiled(const std::filesystem::path& path, Tileset& tileset, bool open) 
   const TiledMap map =
       path.extension() == ".tmj" ? read_tmj(path, read_bytes(path)) : read_tmx(path, read_bytes(path));
   const TiledTiles tiles(path, map);
-  std::map<std::uint32_t, Tile> known;
+  std::map<std::vector<std::uint32_t>, Tile> known;
   Grid grid(Size{{map.width, map.height, 1}});
-  for (std::size_t site = 0; site < map.gids.size(); ++site) {
-    const std::uint32_t gid = map.gids[site] & ~kFlipHexagonal;
-    if ((gid & ~kFlags) == 0) continue;
-    auto found = known.find(gid);
-    if (found == known.end()) {
-      TileKind kind = tiles.kind(gid, tileset.size());
-      auto tile = tileset.find(kind.name);
-      if (!tile && !open)
-        throw FileError(path.string(), fmt::format("has '{}', which is no tile of the tileset", kind.name));
-      try {
-        if (!tile) tile = tileset.add(std::move(kind));
-      } catch (const std::length_error& error) {
-        throw FileError(path.string(), error.what());
-      }
-      found = known.emplace(gid, *tile).first;
-    }
+  for (std::size_t site = 0; site < grid.tiles.size(); ++site) {
+    std::vector<std::uint32_t> gids;
+    for (const std::vector<std::uint32_t>& layer : map.layers) gids.push_back(layer[site] & ~kFlipHexagonal);
+    if (std::ranges::all_of(gids, [](std::uint32_t gid) { return (gid & ~kFlags) == 0; })) continue;
+    auto found = known.find(gids);
+    if (found == known.end())
+      found =
+          known.emplace(gids, tile_of(path, tiles.stacked_kind(gids, tileset.size()), tileset, open)).first;
     grid[site] = found->second;
   }
   return grid;

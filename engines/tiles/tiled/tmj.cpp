@@ -50,6 +50,18 @@ void read_pin_layer(const std::string& file, JsonObject& root, JsonObject& layer
   }
 }
 
+TiledProperties properties_of(const std::string& file, JsonObject& tile) {
+  TiledProperties properties;
+  for (JsonObject& property : tile.objects("properties")) {
+    const std::string name = property.text_or("name", "");
+    if (name == "name") properties.name = property.text("value");
+    if (name == "asset") properties.asset = property.text("value");
+    if (name == "weight") properties.weight = checked_weight(file, property.real("value", 0, 1e9));
+    if (name == "rotate") properties.rotates = property.flag("value");
+  }
+  return properties;
+}
+
 TiledTileset tileset_of(JsonObject& object, const std::filesystem::path& file) {
   TiledTileset tileset;
   tileset.name = object.text_or("name", "");
@@ -61,15 +73,13 @@ TiledTileset tileset_of(JsonObject& object, const std::filesystem::path& file) {
   if (object.has("image")) tileset.image = file_beside(file, object.text("image"));
   for (JsonObject& tile : object.objects("tiles")) {
     const auto id = static_cast<std::uint32_t>(tile.number("id", 0, UINT32_MAX));
-    for (JsonObject& property : tile.objects("properties")) {
-      if (property.text_or("name", "") == "name") tileset.names[id] = property.text("value");
-    }
+    if (tile.has("properties")) tileset.properties[id] = properties_of(file.string(), tile);
   }
   read_wang_set(file.string(), object, tileset);
   return tileset;
 }
 
-void read_data(const std::string& file, JsonObject& layer, JsonObject& holder, TiledLayer& to) {
+void read_data(const std::string& file, JsonObject& layer, JsonObject& holder, TiledLayers& to) {
   const std::int64_t width = holder.number("width", 1, kLargestExtent),
                      height = holder.number("height", 1, kLargestExtent);
   const std::int64_t x = small_number(holder, "x"), y = small_number(holder, "y");
@@ -113,17 +123,16 @@ TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes) {
                                               : tileset_of(each, path));
     map.tilesets.back().first_gid = static_cast<std::uint32_t>(each.number("firstgid", 1, UINT32_MAX));
   }
-  TiledLayer layer;
-  int layers = 0;
+  TiledLayers layers;
   for (JsonObject& each : root.objects("layers")) {
     if (each.text_or("type", "") == "objectgroup" && each.text_or("name", "") == "pins")
       read_pin_layer(file, root, each, map);
     if (each.text_or("type", "") != "tilelayer" || (each.has("visible") && !each.flag("visible"))) continue;
-    if (++layers > 1) throw FileError(file, "has several visible layers; hide all but one");
-    for (JsonObject& chunk : each.objects("chunks")) read_data(file, each, chunk, layer);
-    if (!each.has("chunks")) read_data(file, each, each, layer);
+    layers.begin(file);
+    for (JsonObject& chunk : each.objects("chunks")) read_data(file, each, chunk, layers);
+    if (!each.has("chunks")) read_data(file, each, each, layers);
   }
-  layer.write_to(file, map);
+  layers.write_to(file, map);
   return map;
 }
 

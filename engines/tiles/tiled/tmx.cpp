@@ -44,6 +44,18 @@ void read_wang_set(const std::string& file, const pugi::xml_node& set, TiledTile
   }
 }
 
+TiledProperties properties_of(const std::string& file, const pugi::xml_node& node) {
+  const auto value = [&](const char* name) {
+    return node.find_child_by_attribute("property", "name", name).attribute("value");
+  };
+  TiledProperties properties;
+  properties.name = value("name").as_string();
+  properties.asset = value("asset").as_string();
+  properties.weight = checked_weight(file, value("weight").as_double(1));
+  properties.rotates = value("rotate").as_bool(true);
+  return properties;
+}
+
 TiledTileset tileset_of(const pugi::xml_node& node, const std::filesystem::path& file) {
   TiledTileset tileset;
   tileset.name = node.attribute("name").as_string();
@@ -56,15 +68,15 @@ TiledTileset tileset_of(const pugi::xml_node& node, const std::filesystem::path&
     tileset.image = file_beside(file, image.attribute("source").as_string());
   }
   for (const pugi::xml_node& tile : node.children("tile")) {
-    const pugi::xml_node name = tile.child("properties").find_child_by_attribute("property", "name", "name");
-    if (name) tileset.names[tile.attribute("id").as_uint()] = name.attribute("value").as_string();
+    if (const pugi::xml_node properties = tile.child("properties"))
+      tileset.properties[tile.attribute("id").as_uint()] = properties_of(file.string(), properties);
   }
   read_wang_set(file.string(), node.child("wangsets").child("wangset"), tileset);
   return tileset;
 }
 
 void read_data(const std::string& file, const pugi::xml_node& data, const pugi::xml_node& holder,
-               const std::string& encoding, const std::string& compression, TiledLayer& layer) {
+               const std::string& encoding, const std::string& compression, TiledLayers& layers) {
   const std::int64_t width = holder.attribute("width").as_llong(),
                      height = holder.attribute("height").as_llong();
   if (width < 1 || height < 1 || width > (1 << 20) || height > (1 << 20)) {
@@ -77,7 +89,7 @@ void read_data(const std::string& file, const pugi::xml_node& data, const pugi::
   } else {
     gids = decode_gids(file, data.child_value(), encoding, compression, count);
   }
-  layer.add(file, holder.attribute("x").as_llong(), holder.attribute("y").as_llong(), width, height, gids);
+  layers.add(file, holder.attribute("x").as_llong(), holder.attribute("y").as_llong(), width, height, gids);
 }
 
 void read_pin_layers(const std::string& file, const pugi::xml_node& root, TiledMap& map) {
@@ -117,22 +129,21 @@ TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes) {
     map.tilesets.push_back(source.empty() ? tileset_of(node, path) : read_tileset(file_beside(path, source)));
     map.tilesets.back().first_gid = node.attribute("firstgid").as_uint();
   }
-  TiledLayer layer;
-  int layers = 0;
+  TiledLayers layers;
   for (const pugi::xml_node& node : root.children("layer")) {
     if (!node.attribute("visible").as_bool(true)) continue;
-    if (++layers > 1) throw FileError(file, "has several visible layers; hide all but one");
+    layers.begin(file);
     const pugi::xml_node data = node.child("data");
     const std::string encoding = data.attribute("encoding").as_string();
     const std::string compression = data.attribute("compression").as_string();
     if (!data.child("chunk")) {
-      read_data(file, data, node, encoding, compression, layer);
+      read_data(file, data, node, encoding, compression, layers);
     }
     for (const pugi::xml_node& chunk : data.children("chunk")) {
-      read_data(file, chunk, chunk, encoding, compression, layer);
+      read_data(file, chunk, chunk, encoding, compression, layers);
     }
   }
-  layer.write_to(file, map);
+  layers.write_to(file, map);
   read_pin_layers(file, root, map);
   return map;
 }

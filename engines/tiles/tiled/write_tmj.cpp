@@ -16,19 +16,20 @@ void move_member(Json& object, const char* member, const std::filesystem::path& 
   }
 }
 
-/// Returns the first visible layer of tiles with the map's tiles in place of its own.
-Json layer_of(const Json& root, const Grid& map, const Tileset& tileset) {
+/// Returns the visible layers of tiles with the map's tiles in place of their own.
+Json layers_of(const Json& root, const Grid& map, const Tileset& tileset) {
+  Json layers = Json::array();
   for (Json layer : root.at("layers")) {
     if (layer.at("type") != "tilelayer" || !layer.value("visible", true)) continue;
     for (const char* member : {"chunks", "encoding", "compression", "startx", "starty"}) layer.erase(member);
     Json data = Json::array();
-    for (const Tile tile : map.tiles) data.push_back(tile == kHole ? 0 : tileset[tile].gid.value_or(0));
+    for (const Tile tile : map.tiles) data.push_back(gid_in_layer(tileset, tile, layers.size()));
     layer["data"] = std::move(data);
     layer["width"] = map.size.width();
     layer["height"] = map.size.height();
-    return layer;
+    layers.push_back(std::move(layer));
   }
-  return root.at("the layer that was read");  // throws: there is none any more
+  return layers.empty() ? root.at("the layers that were read") : layers;  // throws: there are none any more
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ std::string write_tmj(const Grid& map, const Tileset& tileset, const std::filesy
                       const std::filesystem::path& folder) {
   try {
     Json root = Json::parse(read_bytes(original));
-    root["layers"] = Json::array({layer_of(root, map, tileset)});
+    root["layers"] = layers_of(root, map, tileset);
     for (Json& each : root["tilesets"]) {
       move_member(each, "source", original, folder);
       move_member(each, "image", original, folder);

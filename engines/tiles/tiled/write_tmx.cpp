@@ -1,5 +1,6 @@
 #include <pugixml.hpp>
 #include <sstream>
+#include <vector>
 
 #include "base/file_error.h"
 #include "engines/tiles/read/file.h"
@@ -19,26 +20,25 @@ void set(pugi::xml_node node, const char* name, int value) {
   node.attribute(name).set_value(value);
 }
 
-std::string csv(const Grid& map, const Tileset& tileset) {
+std::string csv(const Grid& map, const Tileset& tileset, std::size_t layer) {
   std::string text = "\n";
   for (std::size_t site = 0; site < map.tiles.size(); ++site) {
-    const Tile tile = map[site];
-    text += std::to_string(tile == kHole ? 0 : tileset[tile].gid.value_or(0));
+    text += std::to_string(gid_in_layer(tileset, map[site], layer));
     if (site + 1 < map.tiles.size()) text += ',';
     if ((site + 1) % static_cast<std::size_t>(map.size.width()) == 0) text += '\n';
   }
   return text;
 }
 
-/// Takes all layers away but the first that is visible, and returns that.
-pugi::xml_node only_layer(pugi::xml_node root) {
-  pugi::xml_node kept;
+/// Takes all layers away but those of tiles that are visible, and returns these.
+std::vector<pugi::xml_node> visible_layers(pugi::xml_node root) {
+  std::vector<pugi::xml_node> kept;
   for (pugi::xml_node child = root.first_child(); child;) {
     const pugi::xml_node next = child.next_sibling();
     const std::string name = child.name();
     const bool visible = name == "layer" && child.attribute("visible").as_bool(true);
-    if (visible && !kept) {
-      kept = child;
+    if (visible) {
+      kept.push_back(child);
     } else if (name == "layer" || name == "objectgroup" || name == "imagelayer" || name == "group") {
       root.remove_child(child);
     }
@@ -47,7 +47,27 @@ pugi::xml_node only_layer(pugi::xml_node root) {
   return kept;
 }
 
+void set_size(pugi::xml_node node, const Size& size) {
+  set(node, "width", size.width());
+  set(node, "height", size.height());
+}
+
+void set_data(pugi::xml_node layer, const Grid& map, const std::string& csv) {
+  set_size(layer, map.size);
+  layer.remove_child("data");
+  pugi::xml_node data = layer.append_child("data");
+  data.append_attribute("encoding").set_value("csv");
+  data.text().set(csv.c_str());
+}
+
 }  // namespace
+
+std::uint32_t gid_in_layer(const Tileset& tileset, Tile tile, std::size_t layer) {
+  if (tile == kHole) return 0;
+  const TileKind& kind = tileset[tile];
+  if (layer < kind.parts.size()) return kind.parts[layer].gid;
+  return layer == 0 ? kind.gid.value_or(0) : 0;
+}
 
 std::string moved_name(const std::string& name, const fs::path& original, const fs::path& folder) {
   const fs::path from = fs::absolute(original.parent_path() / name).lexically_normal();
@@ -60,21 +80,16 @@ std::string write_tmx(const Grid& map, const Tileset& tileset, const fs::path& o
   const std::string bytes = read_bytes(original);
   if (!document.load_buffer(bytes.data(), bytes.size())) throw FileError(original.string(), "has changed");
   const pugi::xml_node root = document.child("map");
-  pugi::xml_node layer = only_layer(root);
-  if (!layer) throw FileError(original.string(), "has changed");
+  const std::vector<pugi::xml_node> layers = visible_layers(root);
+  if (layers.empty()) throw FileError(original.string(), "has changed");
   for (pugi::xml_node node : root.children("tileset")) {
     rename_source(node.attribute("source"), original, folder);
     rename_source(node.child("image").attribute("source"), original, folder);
   }
-  for (pugi::xml_node node : {root, layer}) {
-    set(node, "width", map.size.width());
-    set(node, "height", map.size.height());
-  }
+  set_size(root, map.size);
   set(root, "infinite", 0);
-  layer.remove_child("data");
-  pugi::xml_node data = layer.append_child("data");
-  data.append_attribute("encoding").set_value("csv");
-  data.text().set(csv(map, tileset).c_str());
+  for (std::size_t number = 0; number < layers.size(); ++number)
+    set_data(layers[number], map, csv(map, tileset, number));
   std::ostringstream text;
   document.save(text, " ");
   return text.str();

@@ -14,6 +14,7 @@ enum class Solver : std::uint8_t {
   kZ3,       // the reference
   kThesis,   // 16-bit ints and random exploration, as published, to measure against
   kShred,    // no solver: executions are drawn by how probable they are
+  kTiles,    // maps of tiles are drawn as their exemplars look, from solutions that kCadical finds
 };
 
 /// Fixes the choices whose addresses match a pattern.

@@ -238,7 +238,16 @@ def tile_pairs(run, call):
 
     right = table(pair for row in rows for pair in zip(row, row[1:]))
     below = table(pair for above, under in zip(rows, rows[1:]) for pair in zip(above, under))
-    return tuple(tiles), right, below
+    def number(tile):
+        return next(at for at, each in enumerate(tiles) if same(tile, each))
+
+    given = call.given["exemplar"] if "exemplar" in call.given else None
+    source = given if type(given) is str else tuple(tuple(number(tile) for tile in row) for row in rows)
+    return tuple(tiles), right, below, source
+
+
+def tile_sites(run, call):
+    return None
 
 
 def pairs_of(elements):
@@ -502,6 +511,7 @@ BUILTINS = {
         builtin("has_front", "asset", has_front),
         builtin("allowed", "table a b", allowed),
         builtin("tile_pairs", "exemplar", tile_pairs),
+        builtin("tile_sites", "w h source", tile_sites),
         builtin("place", "asset at size turn angle color name", place, required=0, extras=True),
     ]
 }

@@ -1,0 +1,181 @@
+// Maps of tiles that programs choose, drawn by --engine tiles.
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "engines/tile_maps/map_style.h"
+#include "engines/tile_maps/tile_stream.h"
+#include "solitaire/names/analyze.h"
+#include "tests/command.h"
+#include "tests/tiles/enumeration.h"
+
+namespace solitaire {
+namespace {
+
+using Json = nlohmann::json;
+
+const char* const kStreets =
+    "import \"std/graph.sol\";\nimport \"std/tiles.sol\";\n"
+    "g, r, h = \"grass\", \"road\", \"house\";\n"
+    "streets = tiles([[g, r, g, h], [r, r, r, r], [h, r, g, g], [g, r, h, g]]);\n";
+
+/// The program of a text.
+Program program_of_text(const std::string& text) {
+  SourceSet sources;
+  LoadOptions options;
+  options.library_folders = {std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "solitaire"};
+  return load_program_text("map.sol", text, options, sources);
+}
+
+std::vector<std::string> lines_of_text(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Runs `solve --engine tiles` and returns the values of the solutions.
+std::vector<Json> drawn(const Workplace& place, const std::string& script,
+                        std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{"solve", place.file("map.sol", script), "--engine", "tiles", "--json",
+                                     "-q"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = run_solitaire(arguments);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::vector<Json> values;
+  for (const std::string& line : lines_of_text(outcome.out)) values.push_back(Json::parse(line)["value"]);
+  return values;
+}
+
+std::size_t count_of(const Json& map, const char* tile) {
+  std::size_t count = 0;
+  for (const Json& row : map) count += static_cast<std::size_t>(std::ranges::count(row, Json(tile)));
+  return count;
+}
+
+/// Returns how many pieces the tiles of a kind form.
+std::size_t pieces_of(Json map, const std::string& tile) {
+  std::size_t pieces = 0;
+  const std::function<void(std::size_t, std::size_t)> flood = [&](std::size_t y, std::size_t x) {
+    if (y >= map.size() || x >= map[0].size() || map[y][x] != tile) return;
+    map[y][x] = "seen";
+    flood(y + 1, x), flood(y, x + 1), flood(y - 1, x), flood(y, x - 1);
+  };
+  for (std::size_t y = 0; y < map.size(); ++y) {
+    for (std::size_t x = 0; x < map[0].size(); ++x) {
+      if (map[y][x] != tile) continue;
+      ++pieces;
+      flood(y, x);
+    }
+  }
+  return pieces;
+}
+
+/// No map has grass in the middle of its first row.
+class NoGrassThere : public tiles::GlobalRule {
+ public:
+  std::uint64_t violation(const tiles::Grid& map) const override { return map[1] == 0 ? 1 : 0; }
+  std::string text() const override { return "no grass there"; }
+};
+
+}  // namespace
+
+TEST_CASE("engine tiles: drawn maps are as frequent as enumeration says of the exemplar's weights") {
+  const Program program = program_of(
+      std::string(kStreets) + "map = tile_map(streets, 3, 2);\nassert(map[0][1] != g);\nreturn map;\n");
+  const auto row = [](std::vector<std::int64_t> tiles) {
+    std::vector<Value> values(tiles.begin(), tiles.end());
+    return Value::list(values);
+  };
+  // The numbers of the tiles are in the order in which the exemplar has them: grass, road, house.
+  const Value source =
+      Value::list({row({0, 1, 0, 2}), row({1, 1, 1, 1}), row({2, 1, 0, 0}), row({0, 1, 2, 0})});
+  const auto style = style_of_source(source, program, 0, StopSignal());
+  tiles::Problem problem(style, {{{3, 2, 1}}, {}});
+  problem.add(std::make_shared<NoGrassThere>());
+  tiles::Enumeration all(problem);
+  REQUIRE(all.size() > 20);
+  TileStream stream(program, {}, TracingOptions());
+  for (int draw = 0; draw < 500; ++draw) {
+    const auto solution = stream.next();
+    REQUIRE(solution);
+    tiles::Grid map(problem.size());
+    REQUIRE(solution->choices.size() == map.tiles.size());
+    for (std::size_t site = 0; site < map.tiles.size(); ++site)
+      map[site] = static_cast<tiles::Tile>(solution->choices[site].value.as_int());
+    all.draw(map);
+  }
+  CHECK(all.strangers() == 0);
+  CHECK(all.deviations() < 4);
+}
+
+TEST_CASE("engine tiles: pins, asserts and other choices hold, and the same seed gives the same maps") {
+  const Workplace place;
+  const std::string script = std::string(kStreets) +
+                             "n = range(3, 6);\nmap = tile_map(streets, 8, 6);\n"
+                             "assert(count([t == h for row in map for t in row]) == n, \"houses\");\n"
+                             "assert(map[0][0] == h);\nreturn map, n;\n";
+  const std::vector<std::string> options{"-n", "6", "--pin", "map/site[5][7]=\"road\"", "--seed", "3"};
+  const std::vector<Json> values = drawn(place, script, options);
+  REQUIRE(values.size() == 6);
+  for (const Json& value : values) {
+    CHECK(count_of(value[0], "house") == value[1].get<std::size_t>());
+    CHECK(value[0][0][0] == "house");
+    CHECK(value[0][5][7] == "road");
+  }
+  CHECK(std::set<Json>(values.begin(), values.end()).size() > 3);
+  CHECK(drawn(place, script, options) == values);
+}
+
+TEST_CASE("engine tiles: what the library computes of a map follows it") {
+  const Workplace place;
+  const std::string script = std::string(kStreets) +
+                             "map = tile_map(streets, 7, 7);\n"
+                             "assert(connected(grid_graph(7, 7), is_one_of(map, [r])), \"one network\");\n"
+                             "assert(count(is_one_of(map, [r])) >= 8);\nreturn map;\n";
+  const std::vector<Json> maps = drawn(place, script, {"-n", "4"});
+  REQUIRE(maps.size() == 4);
+  for (const Json& map : maps) {
+    CHECK(pieces_of(map, "road") == 1);
+    CHECK(count_of(map, "road") >= 8);
+  }
+  CHECK(std::set<Json>(maps.begin(), maps.end()).size() == 4);
+}
+
+TEST_CASE("engine tiles: several maps, and exemplars in files") {
+  const Workplace place;
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string script =
+      "import \"std/tiles.sol\";\nwood = tiles(\"wood.txt\");\na = tile_map(wood, 5, 4);\nb = tile_map(wood, "
+      "4, 5);\n"
+      "assert(a[0][0] != b[0][0]);\nreturn a, b;\n";
+  for (const Json& value : drawn(place, script, {"-n", "5"})) CHECK(value[0][0][0] != value[1][0][0]);
+}
+
+TEST_CASE("engine tiles: what it does not know is told") {
+  const Workplace place;
+  const auto complaint = [&](const std::string& script, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"solve", place.file("map.sol", script), "--engine", "tiles"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_solitaire(arguments);
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  CHECK(complaint("return range(1, 3);\n").find("the program makes none") != std::string::npos);
+  const std::string map = std::string(kStreets) + "map = tile_map(streets, 3, 2);\n";
+  CHECK(complaint(map + "prefer(map[0][0] == g);\nreturn map;\n").find("knows no wishes") !=
+        std::string::npos);
+  CHECK(complaint(map + "return map;\n", {"--all"}).find("there is neither an end") != std::string::npos);
+  const Outcome none =
+      run_solitaire({"solve", place.file("none.sol", map + "assert(map[0][0] == \"sea\");\nreturn map;\n"),
+                     "--engine", "tiles"});
+  CHECK(none.status == 1);
+}
+
+}  // namespace solitaire
