@@ -80,6 +80,10 @@ MapMaker::MapMaker(const Request& request, std::shared_ptr<Style> style, const P
 }
 
 void MapMaker::prepare(const StopSignal& stop) {
+  // Where rules about single sites leave no map, nobody waits for weights.
+  const bool has_own_domains = chunks_.empty() && !coarse_ && !request_.mirror;
+  if (has_own_domains) domains_ = consistent_domains(problem_);
+  if (has_own_domains && domains_.empty()) return;
   add_weights(request_, options_, *style_, stop);
   if (!chunks_.empty()) {
     endless_ = std::make_unique<EndlessMap>(style_, options_.seed);
@@ -94,7 +98,7 @@ void MapMaker::prepare(const StopSignal& stop) {
   }
   if (coarse_) return coarse_->prepare(stop);
   mirror_ = make_mirror(request_, problem_);
-  domains_ = consistent_domains(mirror_ ? mirror_->half() : problem_);
+  if (mirror_) domains_ = consistent_domains(mirror_->half());
 }
 
 Sample MapMaker::make(std::uint64_t number, const StopSignal& stop) const {
