@@ -37,6 +37,11 @@ constexpr std::uint32_t kFuelGrowth = 4;
 /// milliseconds.
 constexpr std::size_t kMostWindowWork = 1'000'000;
 constexpr std::int64_t kLongestWindow = 1'000'000'000;
+/// Permutations are looked for among so many pairs of ints that differ, with so many looks at whether two
+/// differ, and said in so many equations in all. Judgement: that takes some hundredths of a second.
+constexpr std::size_t kMostPermutationPairs = 20'000;
+constexpr std::size_t kMostPermutationWork = 300'000;
+constexpr std::size_t kMostPermutationEquations = 25'000;
 /// The sums that are looked at for some that ask for too much have so many terms at most, by themselves and
 /// in all, and ranges are narrowed so often. Judgement: reading as many takes some milliseconds.
 constexpr std::size_t kMostLinearTerms = 20'000;

@@ -28,6 +28,17 @@ inline constexpr std::size_t kLeastLinearTerms = 4;
 inline constexpr std::size_t kMostLinearFormTerms = 100'000;
 /// That at most one of so many literals holds is said pair by pair.
 inline constexpr std::size_t kMostPairwise = 5;
+/// More of them are put into groups of so many.
+inline constexpr std::size_t kCommanderGroup = 4;
+
+/// A condition on one choice or two is written as a table for so many pairs of values at most, and the nodes
+/// that are evaluated for all tables are at most so many. Judgement: that takes a second at the most. Knight's
+/// tours of 8 by 8 took 0.2 s with tables, and more than a minute without.
+inline constexpr std::uint64_t kLargestTable = 16'384;
+inline constexpr std::uint64_t kMostTableEvaluations = 100'000'000;
+/// In a table, values that do not fit are ruled out one run after the other if they lie in so many runs, since
+/// that needs no further literals.
+inline constexpr std::size_t kFewRuns = 2;
 
 /// A conjunction in a clause of at most so many other literals makes as many clauses as it has operands, all
 /// with these literals; in a longer clause it gets a variable of its own.

@@ -79,7 +79,7 @@ std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     progress(fmt::format("listing part {} of {}", i + 1, parts.size()));
-    if (!parts[i].free_values() && parts[i].find({}, most + 1, stop_, &found_[i]).size() > most) {
+    if (!parts[i].free_values() && count_part(i, most + 1) > most) {
       large.push_back(i);
     } else {
       count.factors.push_back(found_[i]);
@@ -92,6 +92,17 @@ std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const
       estimate_models(space_->parts().back(), count_.accuracy, RandomStream(seed_, Purpose::kCount, 0), stop_,
                       [&](double done) { progress(fmt::format("estimating: {:.0f} %", 100 * done)); });
   return count;
+}
+
+/// Counts what a part of the choices can be, up to a number: by going through it, as a listing of solutions
+/// does, and where that is too hard by a search that learns. Where a choice follows from others, some of
+/// which the part does not have, only the latter can.
+std::uint64_t SolutionCounter::count_part(std::size_t number, std::uint64_t most) {
+  SpacePart& part = space_->parts()[number];
+  if (space_->auxiliary().empty()) {
+    if (const auto all = part.enumerate(most, stop_, found_[number])) return *all;
+  }
+  return part.find({}, most, stop_, &found_[number]).size();
 }
 
 SolutionCount SolutionCounter::at_least() const {

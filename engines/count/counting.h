@@ -43,6 +43,8 @@ class SolutionCounter {
   SolutionCount at_least() const;
 
  private:
+  std::uint64_t count_part(std::size_t number, std::uint64_t most);
+
   std::uint64_t seed_;
   StopSignal stop_;
   CountOptions count_;

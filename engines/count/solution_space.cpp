@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engines/errors.h"
 #include "engines/solve/auxiliary.h"
 #include "engines/solve/exclusion.h"
+#include "smt/cdcl/enumerator.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {
@@ -81,6 +83,24 @@ const ProjectedModels& SpacePart::models() {
   return compiled_->models;
 }
 
+std::optional<std::uint64_t> SpacePart::enumerate(std::uint64_t most, const StopSignal& stop,
+                                                  std::atomic<std::uint64_t>& found) const {
+  Enumerator enumerator(*graph_, conditions_, variables_);
+  for (found = 0; found < most; ++found) {
+    switch (enumerator.next(stop)) {
+      case Enumerator::Outcome::kFound:
+        break;
+      case Enumerator::Outcome::kNone:
+        return found;
+      case Enumerator::Outcome::kStopped:
+        throw Interrupted{};
+      case Enumerator::Outcome::kTooHard:
+        return std::nullopt;
+    }
+  }
+  return found;
+}
+
 void SpacePart::decode(const BitModel& model, VariableValues& values) const {
   std::size_t position = 0;
   for (const std::size_t variable : variables_) {
@@ -102,6 +122,8 @@ SolutionSpace::SolutionSpace(TracedProgram& program)
   std::vector<NodeId> conditions = program.requirements(true);
   const std::vector<NodeId> fixed = fixed_unmet_choices(program.graph(), meeting_);
   conditions.insert(conditions.end(), fixed.begin(), fixed.end());
+  const std::vector<NodeId>& implied = program.solver().implied();
+  conditions.insert(conditions.end(), implied.begin(), implied.end());
   conditions = conjuncts(graph_, std::move(conditions));
   DisjointSets sets = tied_nodes(graph_, conditions);
   std::map<std::size_t, std::pair<std::vector<std::size_t>, std::vector<NodeId>>> parts;

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <map>
 #include <memory>
 #include <set>
@@ -35,6 +36,10 @@ class SpacePart {
                              const StopSignal& stop, std::atomic<std::uint64_t>* found = nullptr) {
     return models().find(parities, most, stop, found);
   }
+  /// Counts what the choices can be by going through them, up to `most`, and keeps `found` up with that.
+  /// Returns nothing where that is too hard. Throws Interrupted.
+  std::optional<std::uint64_t> enumerate(std::uint64_t most, const StopSignal& stop,
+                                         std::atomic<std::uint64_t>& found) const;
   /// The values of the choices that a model stands for.
   void decode(const BitModel& model, VariableValues& values) const;
 

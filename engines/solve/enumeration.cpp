@@ -15,6 +15,7 @@ Enumeration::Enumeration(ExecutionSolver& solver, std::vector<NodeId> conditions
     symmetry_breaking_ = symmetry_breaking(graph, solver.addresses(), solver.pass(), conditions);
     conditions.insert(conditions.end(), symmetry_breaking_.begin(), symmetry_breaking_.end());
   }
+  conditions.insert(conditions.end(), solver.implied().begin(), solver.implied().end());
   std::erase(conditions, kTrue);
   std::vector<std::size_t> choices;
   for (const auto& [variable, condition] : meeting) choices.push_back(variable);

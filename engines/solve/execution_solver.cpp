@@ -7,6 +7,7 @@
 #include "engines/errors.h"
 #include "engines/random_choices.h"
 #include "engines/solve/over_full.h"
+#include "engines/solve/permutations.h"
 #include "engines/solve/sum_conflict.h"
 #include "engines/tuning.h"
 
@@ -76,6 +77,11 @@ void ExecutionSolver::tell_over_full() {
     (term.guard == kTrue && firm_(term) ? required : others).push_back(term.node);
   Separations separations = find_separations(graph_, required);
   comparisons_ = separations.comparisons;
+  const Permutations permutations = find_permutations(graph_, separations);
+  implied_ = permutations.values;
+  for (const NodeId condition : implied_) require(condition);
+  implied_sums_ = permutations.sums;
+  for (const NodeId sum : implied_sums_) comparisons_.push_back({sum});
   add_separations(graph_, others, separations);
   for (const OverFull& found : find_over_full(graph_, separations)) tell(found);
 }
@@ -88,7 +94,10 @@ void ExecutionSolver::tell_sum_conflict(const std::vector<NodeId>& assumptions) 
   std::vector<SignedNode> comparisons = comparisons_;
   const Separations assumed = find_separations(graph_, assumptions);
   comparisons.insert(comparisons.end(), assumed.comparisons.begin(), assumed.comparisons.end());
-  if (const auto found = find_sum_conflict(graph_, comparisons)) tell(*found);
+  const auto found = find_sum_conflict(graph_, comparisons);
+  if (!found) return;
+  for (const NodeId sum : implied_sums_) require(sum);  // the solver needs them for this alone
+  tell(*found);
 }
 
 void ExecutionSolver::tell(const OverFull& conflict) {

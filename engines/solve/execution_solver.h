@@ -85,6 +85,9 @@ class ExecutionSolver {
   /// Makes searches give up after so many conflicts, as if a limit had come. With 0 they never do.
   void limit_effort(std::uint64_t conflicts) { solver_->limit_effort(conflicts); }
 
+  /// Returns conditions that follow from what is required, and that a search does not see by itself.
+  const std::vector<NodeId>& implied() const { return implied_; }
+
   /// Returns the condition that an execution leaves the explored paths. The trace does not say all about such
   /// an execution.
   NodeId unexplored();
@@ -130,8 +133,9 @@ class ExecutionSolver {
   StopSignal never_;
   EngineTimes times_;
   std::size_t synced_pass_ = 0;
-  std::vector<SignedNode> comparisons_;  // that every execution fulfils
-  std::size_t counted_pass_ = 0;         // the pass whose sums were looked at
+  std::vector<NodeId> implied_, implied_sums_;  // as find_permutations() gives them
+  std::vector<SignedNode> comparisons_;         // that every execution fulfils
+  std::size_t counted_pass_ = 0;                // the pass whose sums were looked at
 };
 
 /// Says why there is no further solution when the search for one came to this.

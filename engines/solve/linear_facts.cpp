@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/floor_division.h"
@@ -20,6 +21,16 @@ bool is_small(Interval range) { return is_small(range.lo) && is_small(range.hi);
 /// The least that a term can come to.
 std::int64_t least(const LinearTerm& term, Interval range) {
   return term.factor * (term.factor > 0 ? range.lo : range.hi);
+}
+
+/// Divides a row by what all its factors are multiples of. As the sum of ints is an int, what it can come to
+/// at most is rounded down (Chvatal 1973).
+void divide(LinearRow& row) {
+  std::int64_t divisor = 0;
+  for (const LinearTerm& term : row.terms) divisor = std::gcd(divisor, term.factor);
+  if (divisor < 2) return;
+  for (LinearTerm& term : row.terms) term.factor /= divisor;
+  row.most = floor_divide(row.most, divisor);
 }
 
 void append(std::vector<SignedNode>& to, const std::vector<SignedNode>& from) {
@@ -57,6 +68,7 @@ void LinearFacts::add(NodeId from, NodeId to, std::int64_t least, SignedNode bec
     if (factor != 0) fact.row.terms.push_back({number, factor});
   }
   std::ranges::sort(fact.row.terms, {}, &LinearTerm::unknown);
+  divide(fact.row);
   facts_.push_back(std::move(fact));
 }
 

@@ -8,6 +8,7 @@
 
 #include "smt/operation_rows.h"
 #include "smt/sat/cardinality.h"
+#include "smt/sat/truth_table.h"
 #include "smt/sat/wide_choices.h"
 #include "smt/unsupported_operation.h"
 #include "tracegraph/post_order.h"
@@ -204,6 +205,11 @@ void BitBlaster::push_operands(Part part, std::vector<Part>& pending) {
     if (!is_compiled(needed)) pending.push_back(needed);
   };
   const Graph::Node& node = graph_.node(part.node);
+  const std::span<const NodeId> choices = small_cones_.tabled(part.node);
+  if (!choices.empty()) {
+    for (const NodeId choice : choices) push({choice, Form::kOrder});
+    return;
+  }
   const bool compares = node.type() == Type::kBool && !node.args().empty() && is_int(node.operands[0]);
   if (const LinearForm* form = compares ? linear_form(node.operands[0], node.operands[1]) : nullptr) {
     for (const auto& [term, factor] : form->terms) push({term, Form::kOrder});
@@ -240,6 +246,8 @@ void BitBlaster::compile_one(Part part) {
   if (part.form == Form::kOrder) {
     orders_.push_back(std::make_shared<OrderEncodedInt>(row.order(*this, operands)));
     compiled.order = static_cast<std::uint32_t>(orders_.size());
+  } else if (const std::span<const NodeId> choices = small_cones_.tabled(part.node); !choices.empty()) {
+    compiled.bits = table(part.node, choices).code() + 1;
   } else if (row.literal != nullptr) {
     compiled.bits = row.literal(*this, operands).code() + 1;
   } else {
@@ -259,6 +267,7 @@ void BitBlaster::find_order_sizes() {
       wide_choices_in_bits(graph_, known, [this](NodeId node) { return order_size(node); });
   for (const std::size_t variable : in_bits) choices_.write_in_bits(variable);
   if (!in_bits.empty()) find_order_sizes_from(known);
+  small_cones_.meet_new(order_sizes_);
 }
 
 /// Operands are older than what uses them.
@@ -277,6 +286,12 @@ OrderEncodedInt BitBlaster::choice_order(NodeId choice) {
   const std::size_t variable = graph_.node(choice).payload;
   choices_.add(variable);
   return *choices_.order(variable);
+}
+
+Literal BitBlaster::table(NodeId condition, std::span<const NodeId> choices) {
+  TruthTable table(graph_, condition, choices);
+  if (choices.size() == 1) return tabled(circuit_, table, *order(choices[0]));
+  return tabled(circuit_, std::move(table), order(choices[0]), order(choices[1]));
 }
 
 Literal BitBlaster::equality(NodeId a, NodeId b) {

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "smt/sat/linear_form.h"
 #include "smt/sat/order_encoded_int.h"
 #include "smt/sat/order_size.h"
+#include "smt/sat/small_cones.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -20,14 +22,14 @@ namespace solitaire {
 /// Compiles nodes of a trace graph to a circuit. An int is written in binary (IntBits), in order encoding
 /// (OrderEncodedInt), or both, depending on where it is needed: a comparison reads orders if both of its
 /// operands can have one, or if it is one of sums of ints that can, which then are its terms; everything else
-/// reads bits.
+/// reads bits, but for conditions on one choice or two of few values, which are written as tables.
 ///
 /// Every node is a total function of the choices' bits. So a node without a value, such as a division by zero
 /// on a path that is not taken, rules nothing out.
 class BitBlaster {
  public:
   BitBlaster(const Graph& graph, Circuit& circuit, Cnf& cnf)
-      : graph_(graph), circuit_(circuit), choices_(graph, circuit, cnf) {}
+      : graph_(graph), circuit_(circuit), choices_(graph, circuit, cnf), small_cones_(graph) {}
 
   /// Returns the literal of a bool node. The bounds of choices that are met for the first time are added to
   /// the Cnf. Throws UnsupportedOperation.
@@ -72,6 +74,7 @@ class BitBlaster {
   void add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals);
   OrderEncodedInt choice_order(NodeId choice);
 
+  Literal table(NodeId condition, std::span<const NodeId> choices);
   Literal equality(NodeId a, NodeId b);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
   Literal linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form);
@@ -93,7 +96,8 @@ class BitBlaster {
   std::vector<Compiled> compiled_;  // by node
   std::deque<Bits> numbers_;
   std::deque<SharedOrder> orders_;
-  std::vector<OrderSize> order_sizes_;                                         // by node
+  std::vector<OrderSize> order_sizes_;  // by node
+  SmallCones small_cones_;
   std::unordered_map<std::uint64_t, std::optional<LinearForm>> linear_forms_;  // by the nodes compared
 };
 

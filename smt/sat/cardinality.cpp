@@ -1,7 +1,10 @@
 #include "smt/sat/cardinality.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/floor_division.h"
 #include "smt/sat/order_encoded_int.h"
@@ -10,24 +13,33 @@
 namespace solitaire {
 namespace {
 
-/// Writes that at most one of the literals fails.
-void write_all_but_one(Circuit& circuit, const std::vector<Literal>& literals, const Definition::Emit& emit) {
-  const auto either = [&](Literal a, Literal b) {
-    const Literal clause[] = {a, b};
-    for (const Literal literal : clause) circuit.use(literal);
-    emit(clause);
-  };
-  if (literals.size() <= tuning::kMostPairwise) {
-    for (std::size_t i = 0; i < literals.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) either(literals[i], literals[j]);
+/// Writes that at most one of the literals fails: of any two, one holds.
+void write_pairs(Circuit& circuit, std::span<const Literal> literals, const Definition::Emit& emit) {
+  for (std::size_t i = 0; i < literals.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Literal either[] = {literals[i], literals[j]};
+      for (const Literal literal : either) circuit.use(literal);
+      emit(either);
     }
-    return;
   }
-  Literal all_before = literals[0];
-  for (std::size_t i = 1; i < literals.size(); ++i) {
-    either(literals[i], all_before);
-    if (i + 1 < literals.size()) all_before = circuit.conjunction(all_before, literals[i]);
+}
+
+/// Writes the same for many literals: of each group at most one fails, and of the groups at most one has
+/// some literal that fails.
+void write_all_but_one(Circuit& circuit, std::vector<Literal> literals, const Definition::Emit& emit) {
+  while (literals.size() > tuning::kMostPairwise) {
+    std::vector<Literal> groups;
+    for (std::size_t at = 0; at < literals.size(); at += tuning::kCommanderGroup) {
+      const auto group =
+          std::span(literals).subspan(at, std::min(tuning::kCommanderGroup, literals.size() - at));
+      write_pairs(circuit, group, emit);
+      Literal all = kTrueLiteral;
+      for (const Literal literal : group) all = circuit.conjunction(all, literal);
+      groups.push_back(all);
+    }
+    literals = std::move(groups);
   }
+  write_pairs(circuit, literals, emit);
 }
 
 }  // namespace

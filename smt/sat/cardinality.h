@@ -18,8 +18,9 @@ struct Cardinality {
 std::optional<Cardinality> as_cardinality(const LinearBound& bound);
 
 /// Writes clauses that say the same as a cardinality, if that takes few: where one has to hold, all, or all
-/// but one, which is that at most one of their negations does. Returns false if it writes nothing. Of many
-/// literals the last says that one of those before holds (the sequential counter of Sinz 2005).
+/// but one, which is that at most one of their negations does. Returns false if it writes nothing. Many
+/// literals are put into groups, of which each has a literal of its own (commander variables; Klieber and
+/// Kwon 2007).
 bool write_cardinality(Circuit& circuit, const Cardinality& cardinality, const Definition::Emit& emit);
 
 }  // namespace solitaire
