@@ -63,6 +63,8 @@ struct Quality {
   std::size_t wishes = 0;  // the number of wishes that the execution met
   std::int64_t cost = 0;   // the sum of the costs of all wishes
   bool proved = false;     // it is proved that no better one is left
+  /// It is proved that no solution that is left costs less. It is not known of near misses.
+  std::optional<std::int64_t> least_cost;
 };
 
 /// What makes two solutions different.

@@ -102,8 +102,12 @@ Solution frozen(const solitaire::Solution& solution, std::uint64_t number, const
   made.choices = frozen_choices(solution.choices);
   made.auxiliary = frozen_choices(solution.auxiliary);
   if (const auto& quality = solution.quality)
-    made.quality = Quality{quality->broken, quality->wishes, quality->cost, quality->proved,
-                           solution.only_wish && sources.text(*solution.only_wish).starts_with("maximize")};
+    made.quality = Quality{quality->broken,
+                           quality->wishes,
+                           quality->cost,
+                           quality->proved,
+                           solution.only_wish && sources.text(*solution.only_wish).starts_with("maximize"),
+                           quality->least_cost};
   for (const solitaire::BrokenAssert& broken : solution.broken)
     made.broken.push_back(frozen(broken, sources));
   for (const solitaire::UnmetWish& wish : solution.unmet) made.unmet.push_back(frozen(wish, sources));

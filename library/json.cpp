@@ -126,6 +126,7 @@ Json json_of(const Solution& solution) {
   if (solution.quality) {
     json["cost"] = solution.quality->cost;
     json["optimal"] = solution.quality->proved_best;
+    if (solution.quality->least_cost) json["least_cost"] = *solution.quality->least_cost;
     json["broken"] = list_of(solution.broken, broken_json);
     json["unmet"] = list_of(solution.unmet, unmet_json);
   }

@@ -108,8 +108,9 @@ class OutputFolder::State {
     std::vector<std::vector<Choice>> choices;
     for (const EarlierSolution& each : earlier) choices.push_back(each.choices);
     for (Solution& solution : run_again(search, choices)) {
-      const auto& optimal = earlier[solution.number - 1].optimal;
-      if (solution.quality && optimal) solution.quality->proved_best = *optimal;
+      const EarlierSolution& known = earlier[solution.number - 1];
+      if (solution.quality && known.optimal) solution.quality->proved_best = *known.optimal;
+      if (solution.quality) solution.quality->least_cost = known.least_cost;
       GalleryEntry entry = entry_of(solution);
       const auto scene = scene_of_entry(entry, solution);
       if (scene && !is_written(*scene, folder_ / entry.glb, nodes_))

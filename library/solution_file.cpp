@@ -53,8 +53,10 @@ std::vector<EarlierSolution> read_earlier_run(const fs::path& folder, const std:
     if (!fs::exists(path)) return solutions;
     const Json file = read_solution_file(path);
     check_run(file, expected, path);
-    EarlierSolution solution{all_choices_of(file, path.string()), {}};
+    EarlierSolution solution{all_choices_of(file, path.string()), {}, {}};
     if (file.contains("optimal")) solution.optimal = file["optimal"] == true;
+    if (file.contains("least_cost") && file["least_cost"].is_number_integer())
+      solution.least_cost = file["least_cost"].get<std::int64_t>();
     solutions.push_back(std::move(solution));
   }
 }

@@ -15,6 +15,7 @@ Json read_solution_file(const std::filesystem::path& path);
 struct EarlierSolution {
   std::vector<Choice> choices;
   std::optional<bool> optimal;  // where solutions are better and worse
+  std::optional<std::int64_t> least_cost;
 };
 
 /// Reads the solutions that an earlier run left in a folder: NAME-0001.json and those that follow it without

@@ -24,6 +24,13 @@ std::string wishes_text(const std::vector<UnmetWish>& unmet) {
   return text;
 }
 
+/// Says what is proved of a solution that is not proved the best.
+std::string bound_text(const Quality& quality) {
+  if (!quality.least_cost) return "";
+  return quality.is_maximum ? fmt::format(", but none has more than {}", -*quality.least_cost)
+                            : fmt::format(", but none costs less than {}", *quality.least_cost);
+}
+
 }  // namespace
 
 std::string quality_text(const Solution& solution) {
@@ -37,7 +44,8 @@ std::string quality_text(const Solution& solution) {
   } else if (quality.wishes > 0) {
     text += fmt::format("cost {}, ", quality.cost);
   }
-  return text + (quality.proved_best ? "proved the best left" : "not proved the best left");
+  if (quality.proved_best) return text + "proved the best left";
+  return text + "not proved the best left" + bound_text(quality);
 }
 
 std::string to_text(const BrokenAssert& broken) {

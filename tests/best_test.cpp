@@ -91,6 +91,7 @@ std::vector<Rank> ranks_of_engine(const Program& program, bool relax, const Sear
   while (const auto solution = engine.next()) {
     REQUIRE(solution->quality.has_value());
     CHECK(solution->quality->proved);
+    CHECK(solution->quality->least_cost == (relax ? std::nullopt : std::optional(solution->quality->cost)));
     ranks.emplace_back(solution->quality->broken, solution->quality->cost);
     CHECK(ranks.back() == rank_of(run_again(program, {}, all_choices(*solution), limits)));
   }

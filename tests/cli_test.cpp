@@ -495,6 +495,7 @@ TEST_CASE("cli: of a program with wishes the best come first, with their cost") 
   for (std::string line; std::getline(lines, line);) {
     const json solution = json::parse(line);
     CHECK(solution["optimal"] == true);
+    CHECK(solution["least_cost"] == solution["cost"]);
     costs.push_back(solution["cost"]);
   }
   CHECK(costs == std::vector<int>{1, 1, 2, 2, 3, 3, 4, 5, 6});

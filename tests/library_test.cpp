@@ -257,6 +257,15 @@ TEST_CASE("library: an observer is told how far a search is") {
   CHECK(best.quality->cost == 1);
   CHECK(best.quality->proved_best);
   CHECK(quality_text(best) == "cost 1, proved the best left");
+  CHECK(best.quality->least_cost == 1);
+  Solution open = best;
+  open.quality->proved_best = false;
+  open.quality->least_cost = 0;
+  CHECK(quality_text(open) == "cost 1, not proved the best left, but none costs less than 0");
+  open.quality->cost = -37;
+  open.quality->is_maximum = true;
+  open.quality->least_cost = -48;
+  CHECK(quality_text(open) == "maximum 37, not proved the best left, but none has more than 48");
   CHECK(events.begun_ == 1);
   CHECK(events.nodes_ > 0);
   CHECK(std::is_sorted(events.costs_.rbegin(), events.costs_.rend()));

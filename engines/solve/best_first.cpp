@@ -61,6 +61,7 @@ Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_poin
     improve(*best.found, search, told);
   } else if (best.found->solution.quality) {
     best.found->solution.quality->proved = true;
+    if (!relax_) best.found->solution.quality->least_cost = best.found->rank;
   }
   bring_near(*best.found, search);
   stop_.set_deadline(Clock::time_point::max());
@@ -89,6 +90,7 @@ void BestFirst::improve(Candidate& best, const Search& search, const Told& told)
   std::uint64_t effort = tuning::kEffortForBetter;
   std::int64_t given_up = proved_;  // what would be better than this was given up
   while (best.rank > proved_) {
+    tell_bound(best);
     if (told) told(best.solution);
     given_up = std::max(given_up, proved_);
     if (given_up >= best.rank) {
@@ -112,6 +114,12 @@ void BestFirst::improve(Candidate& best, const Search& search, const Told& told)
   solver_.limit_effort(0);
   last_was_best_ = best.rank <= proved_;
   best.solution.quality->proved = last_was_best_;
+  tell_bound(best);
+}
+
+/// Of near misses the rank is more than the cost.
+void BestFirst::tell_bound(Candidate& best) const {
+  if (!relax_ && proved_ > -kIntLimit) best.solution.quality->least_cost = std::min(proved_, best.rank);
 }
 
 /// Makes a near miss one that breaks fewer conjuncts and comes nearer in comparisons, by bisection. A

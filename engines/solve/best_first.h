@@ -60,6 +60,7 @@ class BestFirst {
 
  private:
   void improve(Candidate& best, const Search& search, const Told& told);
+  void tell_bound(Candidate& best) const;
   void bring_near(Candidate& best, const Search& search);
   std::int64_t target(std::int64_t rank, std::int64_t given_up);
   bool needs_no_search() const;

@@ -5,7 +5,6 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -23,8 +22,8 @@ constexpr std::int64_t kLargestAddedUp = std::int64_t{1} << 30;
 
 /// An int as a node and an offset.
 struct ShiftedInt {
-  std::uint32_t base = 0;
   std::int64_t offset = 0;
+  std::uint32_t base = 0;
   friend auto operator<=>(const ShiftedInt&, const ShiftedInt&) = default;
 };
 
@@ -37,16 +36,15 @@ class Differences {
       const AxisSeparation& axis = pair.axes[0];
       if (pair.number != 1 || axis.length != std::array<std::int64_t, 2>{1, 1}) continue;
       const ShiftedInt a = shifted(axis.at[0]), b = shifted(axis.at[1]);
-      if (a.base == b.base) continue;
-      apart_[a.base].insert({b.base, b.offset - a.offset});
-      apart_[b.base].insert({a.base, a.offset - b.offset});
+      apart_[a].insert(b);
+      apart_[b].insert(a);
     }
   }
 
   bool differ(const ShiftedInt& a, const ShiftedInt& b) const {
     if (a.base == b.base) return a.offset != b.offset;
     const Interval x = values(a), y = values(b);
-    return x.hi < y.lo || y.hi < x.lo || apart_.at(a.base).contains({b.base, b.offset - a.offset});
+    return x.hi < y.lo || y.hi < x.lo || apart_.at(a).contains(b);
   }
 
   /// Returns the values that an int can have.
@@ -55,35 +53,20 @@ class Differences {
     return {base.lo + of.offset, base.hi + of.offset};
   }
 
-  /// Returns the pairs of nodes that differ without offsets, the older one first.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs() const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-    for (const auto& [base, others] : apart_) {
-      for (const ShiftedInt& other : others) {
-        if (other.offset == 0 && base < other.base) all.emplace_back(base, other.base);
-      }
-    }
-    return all;
-  }
-
-  /// Calls `visit` with each int that differs from this one by a condition.
-  template <class Visit>
-  void for_each_apart(const ShiftedInt& from, Visit visit) const {
-    for (const ShiftedInt& other : apart_.at(from.base))
-      visit(ShiftedInt{other.base, from.offset + other.offset});
-  }
+  /// Returns each int with those that differ from it by a condition.
+  const std::map<ShiftedInt, std::set<ShiftedInt>>& all() const { return apart_; }
 
  private:
   ShiftedInt shifted(NodeId id) const {
     const Graph::Node& node = graph_.node(id);
     if (node.op == Op::kAdd && graph_.node(node.operands[1]).is_constant())
-      return {node.operands[0].index, graph_.node(node.operands[1]).interval.lo};
-    return {id.index, 0};
+      return {graph_.node(node.operands[1]).interval.lo, node.operands[0].index};
+    return {0, id.index};
   }
 
   const Graph& graph_;
   const Separations& separations_;
-  std::map<std::uint32_t, std::set<ShiftedInt>> apart_;  // by node: what it is not
+  std::map<ShiftedInt, std::set<ShiftedInt>> apart_;
 };
 
 /// Ints that pairwise differ.
@@ -133,7 +116,8 @@ class Group {
   std::optional<Interval> all_;  // the values that members can have
 };
 
-/// Puts ints that pairwise differ into groups, such that each two nodes that differ are in one.
+/// Puts ints that pairwise differ into groups, such that each two without offsets of which a condition says
+/// so are in one.
 class Grouping {
  public:
   Grouping(const Graph& graph, const Separations& separations) : differences_(graph, separations) {}
@@ -141,43 +125,41 @@ class Grouping {
   /// Calls `visit` with each group that is a permutation.
   template <class Visit>
   void for_each_permutation(Visit visit) {
-    for (const auto& [first, second] : differences_.pairs()) {
-      if (work_ == 0) return;
-      spend();
-      if (grouped_.contains({first, second})) continue;
-      const Group group = group_of(first, second);
-      if (group.is_permutation()) visit(group);
+    for (const auto& [first, others] : differences_.all()) {
+      for (const ShiftedInt& second : others) {
+        if (work_ == 0) return;
+        spend();
+        if (first.offset != 0 || second.offset != 0 || second < first || grouped_.contains({first, second}))
+          continue;
+        const Group group = group_of(first, second);
+        if (group.is_permutation()) visit(group);
+      }
     }
   }
 
  private:
-  /// An int that may join a group. Those with the smallest offsets come first.
-  struct Candidate {
-    std::int64_t distance;
-    ShiftedInt value;
-    friend auto operator<=>(const Candidate&, const Candidate&) = default;
-  };
-
-  /// Returns a group with both nodes: of those that differ from one member each is added that differs from
+  /// Returns a group with both ints: of those that differ from one member each is added that differs from
   /// all.
-  Group group_of(std::uint32_t first, std::uint32_t second) {
+  Group group_of(const ShiftedInt& first, const ShiftedInt& second) {
     Group group;
-    std::set<Candidate> open{{-2, {first, 0}}, {-1, {second, 0}}}, met = open;
-    while (!open.empty() && work_ > 0 && !group.is_permutation()) {
-      const ShiftedInt next = open.extract(open.begin()).value().value;
+    std::set<ShiftedInt> met{first, second};
+    join(group, first);
+    for (std::set<ShiftedInt> open{second}; !open.empty() && work_ > 0 && !group.is_permutation();) {
+      const ShiftedInt next = open.extract(open.begin()).value();
       if (!differs_from_all(group, next)) continue;
-      for (const ShiftedInt& member : group.members()) {
-        if (member.offset == 0 && next.offset == 0)
-          grouped_.insert({std::min(member.base, next.base), std::max(member.base, next.base)});
-      }
-      group.add(next, differences_.values(next));
-      differences_.for_each_apart(next, [&](const ShiftedInt& other) {
-        const Candidate candidate{std::abs(other.offset), other};
-        if (met.insert(candidate).second) open.insert(candidate);
+      join(group, next);
+      for (const ShiftedInt& other : differences_.all().at(next)) {
+        if (met.insert(other).second) open.insert(other);
         spend();
-      });
+      }
     }
     return group;
+  }
+
+  void join(Group& group, const ShiftedInt& next) {
+    for (const ShiftedInt& member : group.members())
+      grouped_.insert({std::min(member, next), std::max(member, next)});
+    group.add(next, differences_.values(next));
   }
 
   bool differs_from_all(const Group& group, const ShiftedInt& candidate) {
@@ -190,7 +172,7 @@ class Grouping {
   void spend() { work_ -= work_ > 0 ? 1 : 0; }
 
   Differences differences_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> grouped_;
+  std::set<std::pair<ShiftedInt, ShiftedInt>> grouped_;
   std::size_t work_ = tuning::kMostPermutationWork;
 };
 

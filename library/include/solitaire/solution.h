@@ -92,6 +92,8 @@ struct Quality {
   std::int64_t cost = 0;     // of these wishes
   bool proved_best = false;  // it is proved that no better solution was left
   bool is_maximum = false;   // all that is wished for is one maximum, the negative of the cost
+  /// It is proved that no solution that was left costs less. It is not known of near misses.
+  std::optional<std::int64_t> least_cost;
 };
 
 /// An execution of a program in which every assert holds, unless they may be broken.
@@ -116,7 +118,8 @@ SOLITAIRE_API std::string to_text(const Solution& solution);
 /// Returns the answer to a choice as the language writes it.
 SOLITAIRE_API std::string to_text(const ChoiceValue& value);
 /// Returns how good the solution is: "cost 5, proved the best left", "maximum 7, proved the best left" where
-/// all that is wished for is a maximum, or "" where all are as good.
+/// all that is wished for is a maximum, or "" where all are as good. Where the best is not proved, it tells
+/// what is: "cost 5, not proved the best left, but none costs less than 3".
 SOLITAIRE_API std::string quality_text(const Solution& solution);
 /// Returns an unmet wish on a line: "room.sol:3:1: prefer(near, 5) (cost 5)".
 SOLITAIRE_API std::string to_text(const UnmetWish& wish);
