@@ -107,7 +107,25 @@ class NearbyThenCadical : public Solver, private ClauseSink {
       cadical_.prefer_nothing();
       if (verdict != Verdict::kStopped) return verdict;
     }
+    if (conflicts_ == 0 && ends_help_) {
+      const Verdict verdict = search_from_ends(assumed, signal);
+      if (verdict != Verdict::kStopped || signal.stopped()) return verdict;
+    }
     return cadical_.solve(assumed, signal, conflicts_);
+  }
+
+  /// Goes CaDiCaL's own way for a while, then begins anew with all literals true, so that ints in order
+  /// encoding have their greatest values, and with all of them false. Random values can lead a search to
+  /// where it takes hundreds of times as long. If neither end helps once, that is not tried again.
+  Verdict search_from_ends(std::span<const int> assumed, const StopSignal& signal) {
+    Verdict verdict = cadical_.solve(assumed, signal, tuning::kConflictsOfOneWay);
+    for (const bool phase : {true, false}) {
+      if (verdict != Verdict::kStopped || signal.stopped()) return verdict;
+      cadical_.start_anew(random_.next(), phase);
+      verdict = cadical_.solve(assumed, signal, tuning::kConflictsOfOneWay);
+    }
+    ends_help_ = verdict != Verdict::kStopped;
+    return verdict;
   }
 
   /// Begins anew, from the same suggestions, as long as the model is one near those of before, and not too
@@ -167,6 +185,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   std::deque<Model> last_models_;  // that CaDiCaL found
   unsigned in_vain_ = 0;           // so many times in a row no new beginning led away from earlier models
   unsigned checks_to_skip_ = 0;
+  bool ends_help_ = true;  // to begin at the ends of the ranges has not been in vain
   std::vector<NodeId> core_;
   std::uint64_t conflicts_ = 0;  // CaDiCaL gives up after so many; 0: it does not
 };

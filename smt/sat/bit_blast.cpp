@@ -8,8 +8,10 @@
 
 #include "smt/operation_rows.h"
 #include "smt/sat/cardinality.h"
+#include "smt/sat/constrained_sum.h"
 #include "smt/sat/truth_table.h"
 #include "smt/sat/wide_choices.h"
+#include "smt/tuning.h"
 #include "smt/unsupported_operation.h"
 #include "tracegraph/post_order.h"
 
@@ -57,11 +59,11 @@ struct BitBlasts {
 
       {Op::kAdd, nullptr,
        [](B b, W w, N a) { return add(b.circuit_, b.number(a[0]).sized(w), b.number(a[1]).sized(w)); },
-       [](B b, N a) { return sum(b.circuit_, *b.order(a[0]), *b.order(a[1])); },
+       [](B b, N a) { return b.sum_order(*b.order(a[0]), *b.order(a[1])); },
        [](C b, I i, N a) { return sum_size(i, b.order_size(a[0]), b.order_size(a[1])); }},
       {Op::kSub, nullptr,
        [](B b, W w, N a) { return subtract(b.circuit_, b.number(a[0]).sized(w), b.number(a[1]).sized(w)); },
-       [](B b, N a) { return sum(b.circuit_, *b.order(a[0]), negated(*b.order(a[1]))); },
+       [](B b, N a) { return b.sum_order(*b.order(a[0]), negated(*b.order(a[1]))); },
        [](C b, I i, N a) { return sum_size(i, b.order_size(a[0]), b.order_size(a[1])); }},
       {Op::kMul, nullptr,
        [](B b, W w, N a) { return product(b.circuit_, b.number(a[0]), b.number(a[1]), w); },
@@ -262,6 +264,7 @@ void BitBlaster::compile_one(Part part) {
 void BitBlaster::find_order_sizes() {
   const auto known = static_cast<std::uint32_t>(order_sizes_.size());
   if (known == graph_.size()) return;
+  count_comparisons();
   find_order_sizes_from(known);
   const std::vector<std::size_t> in_bits =
       wide_choices_in_bits(graph_, known, [this](NodeId node) { return order_size(node); });
@@ -279,7 +282,26 @@ void BitBlaster::find_order_sizes_from(std::uint32_t first) {
     const Graph::Node& node = graph_.node(id);
     const OrderSizing size = row_of(node).size;
     if (size != nullptr) order_sizes_[i] = size(*this, node.interval, operands_or_itself(node, id));
+    if (!order_sizes_[i].is_ordered() && (node.op == Op::kAdd || node.op == Op::kSub))
+      order_sizes_[i] = compared_sum_size(node.interval, order_size(node.operands[0]),
+                                          order_size(node.operands[1]), comparisons_[i]);
   }
+}
+
+/// Counts the comparisons of each node that is new in the graph.
+void BitBlaster::count_comparisons() {
+  const auto known = static_cast<std::uint32_t>(comparisons_.size());
+  comparisons_.resize(graph_.size());
+  for (std::uint32_t i = known; i < graph_.size(); ++i) {
+    const Graph::Node& node = graph_.node({i});
+    if (node.op != Op::kEqInt && node.op != Op::kLtInt && node.op != Op::kLeInt) continue;
+    for (const NodeId operand : node.args()) ++comparisons_[operand.index];
+  }
+}
+
+OrderEncodedInt BitBlaster::sum_order(const OrderEncodedInt& a, const OrderEncodedInt& b) {
+  return a.size() * b.size() > tuning::kMostOrderedSum ? constrained_sum(circuit_, cnf_, a, b)
+                                                       : sum(circuit_, a, b);
 }
 
 OrderEncodedInt BitBlaster::choice_order(NodeId choice) {

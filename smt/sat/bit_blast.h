@@ -29,7 +29,7 @@ namespace solitaire {
 class BitBlaster {
  public:
   BitBlaster(const Graph& graph, Circuit& circuit, Cnf& cnf)
-      : graph_(graph), circuit_(circuit), choices_(graph, circuit, cnf), small_cones_(graph) {}
+      : graph_(graph), circuit_(circuit), cnf_(cnf), choices_(graph, circuit, cnf), small_cones_(graph) {}
 
   /// Returns the literal of a bool node. The bounds of choices that are met for the first time are added to
   /// the Cnf. Throws UnsupportedOperation.
@@ -73,6 +73,8 @@ class BitBlaster {
   void find_order_sizes_from(std::uint32_t first);
   void add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals);
   OrderEncodedInt choice_order(NodeId choice);
+  void count_comparisons();
+  OrderEncodedInt sum_order(const OrderEncodedInt& a, const OrderEncodedInt& b);
 
   Literal table(NodeId condition, std::span<const NodeId> choices);
   Literal equality(NodeId a, NodeId b);
@@ -92,11 +94,13 @@ class BitBlaster {
 
   const Graph& graph_;
   Circuit& circuit_;
+  Cnf& cnf_;
   ChoiceEncoding choices_;
   std::vector<Compiled> compiled_;  // by node
   std::deque<Bits> numbers_;
   std::deque<SharedOrder> orders_;
-  std::vector<OrderSize> order_sizes_;  // by node
+  std::vector<OrderSize> order_sizes_;      // by node
+  std::vector<std::uint32_t> comparisons_;  // by node: how many compare it
   SmallCones small_cones_;
   std::unordered_map<std::uint64_t, std::optional<LinearForm>> linear_forms_;  // by the nodes compared
 };

@@ -80,6 +80,7 @@ void Cadical::set_up() {
   // seed and the preferred literals are.
   solver_->set("lucky", 0);
   solver_->set("stabilizeonly", 1);
+  solver_->set("phase", phase_ ? 1 : 0);
   if (use_ != Use::kDiversity) return;
   // With target phases, CaDiCaL searches around the assignment that came furthest, so around the last model.
   solver_->set("target", 0);
@@ -125,9 +126,10 @@ Verdict Cadical::solve(std::span<const int> assumptions, const StopSignal& signa
   return verdict;
 }
 
-void Cadical::start_anew(std::uint64_t seed) {
+void Cadical::start_anew(std::uint64_t seed, bool phase) {
   tell();
   seed_ = seed;
+  phase_ = phase;
   const std::unique_ptr<CaDiCaL::Solver> old = std::move(solver_);
   set_up();
   old->copy(*solver_);

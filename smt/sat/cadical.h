@@ -40,8 +40,8 @@ class Cadical : public ClauseSink {
   /// limit of conflicts of this call came first. With 0 conflicts there is no such limit.
   Verdict solve(std::span<const int> assumptions, const StopSignal& signal, std::uint64_t conflicts = 0);
   /// Goes on with a new solver that has the same clauses and nothing of what this one learned or came to
-  /// last. Not for use between solve() and what asks for its result.
-  void start_anew(std::uint64_t seed);
+  /// last. It tries `phase` first of each variable. Not for use between solve() and what asks for its result.
+  void start_anew(std::uint64_t seed, bool phase = true);
   /// Returns the value of a variable in the model. For use after kSatisfiable.
   bool holds(int variable) const;
   /// Returns those of the conditions that the proof needed; `assumed` has the literal by which each was
@@ -54,6 +54,7 @@ class Cadical : public ClauseSink {
 
   const Use use_;
   std::uint64_t seed_;
+  bool phase_ = true;
   std::unique_ptr<CaDiCaL::Solver> solver_;
   std::vector<int> untold_;  // the clauses that CaDiCaL does not know yet, each ended by 0
   std::vector<OrderImplication> untold_implications_;

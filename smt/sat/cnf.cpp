@@ -67,6 +67,7 @@ void Cnf::write_linear_as_clauses() {
 /// Clauses make definitions necessary, and definitions make clauses. Both wait on stacks of this class, as
 /// circuits can be deeper than the machine's stack.
 void Cnf::write_all() {
+  if (std::exchange(is_writing_, true)) return;  // a definition asks for clauses, which come in their turn
   while (true) {
     if (!clauses_.empty()) {
       write(pop());
@@ -75,6 +76,7 @@ void Cnf::write_all() {
       definitions_.pop_back();
       define(literal);
     } else {
+      is_writing_ = false;
       return;
     }
   }

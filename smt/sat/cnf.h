@@ -141,6 +141,7 @@ class Cnf {
   Circuit& circuit_;
   ClauseSink& sink_;
   int variables_ = 0;
+  bool is_writing_ = false;
   std::vector<int> numbers_;          // of the variables, by gate; 0: none yet
   std::vector<bool> defined_;         // by literal: whether it implies what it means
   std::vector<Pending> clauses_;      // to be written, and

@@ -20,6 +20,13 @@ OrderSize sum_size(Interval interval, OrderSize a, OrderSize b) {
   return size_within(interval, pairs, std::gcd(a.stride, b.stride));
 }
 
+OrderSize compared_sum_size(Interval interval, OrderSize a, OrderSize b, std::uint64_t comparisons) {
+  const std::uint64_t pairs = a.most * b.most;
+  if (pairs == 0 || pairs > tuning::kMostComparedSum) return {};
+  if (pairs > tuning::kComparedPairs * comparisons) return {};
+  return size_within(interval, pairs, std::gcd(a.stride, b.stride));
+}
+
 OrderSize product_size(Interval interval, const Sized& a, const Sized& b) {
   const bool has_constant = a.interval.single() || b.interval.single();
   if (!has_constant || !a.size.is_ordered() || !b.size.is_ordered()) return {};

@@ -24,6 +24,9 @@ struct Sized {
 OrderSize size_within(Interval interval, std::uint64_t most, std::uint64_t stride);
 /// The size of a sum or a difference.
 OrderSize sum_size(Interval interval, OrderSize a, OrderSize b);
+/// The size of a larger one of which there are so many comparisons: clauses for each pair of values are worth
+/// it if many share them.
+OrderSize compared_sum_size(Interval interval, OrderSize a, OrderSize b, std::uint64_t comparisons);
 /// The size of a product, of which one operand has to be constant.
 OrderSize product_size(Interval interval, const Sized& a, const Sized& b);
 /// The size of a quotient, whose divisor has to be a positive constant.
