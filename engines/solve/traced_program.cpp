@@ -92,7 +92,8 @@ Solution TracedProgram::solution(Execution execution) {
   const std::size_t wishes = execution.wishes.size();
   const std::int64_t cost = execution.cost;
   Solution solution = solution_of(std::move(execution), addresses_);
-  if (options_.relax || trace().has_costs()) solution.quality = Quality{count_broken(solution), wishes, cost, false, {}};
+  if (options_.relax || trace().has_costs())
+    solution.quality = Quality{count_broken(solution), wishes, cost, false, {}};
   if (options_.scene == SceneDetail::kProvenance) {
     provenance_.add_object_choices(solution);
     provenance_.add_wish_choices(solution);
