@@ -3,7 +3,6 @@
 #include <string>
 
 #include "engines/tiles/model/grid.h"
-#include "engines/tiles/model/tile_mask.h"
 
 namespace solitaire::tiles {
 
@@ -13,8 +12,6 @@ class GlobalRule {
   virtual ~GlobalRule() = default;
   /// Returns how far the map is from keeping the rule: 0 if it does.
   virtual std::uint64_t violation(const Grid& map) const = 0;
-  /// Returns the tiles without which a map keeps the rule: a good start has none of them.
-  virtual TileMask kept_without() const { return {}; }
   /// Returns the rule in words: "the tiles 'floor', 'door' are connected".
   virtual std::string text() const = 0;
 };

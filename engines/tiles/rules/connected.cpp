@@ -17,12 +17,4 @@ std::uint64_t Connected::violation(const Grid& map) const {
   return count > 1 ? count - 1 : 0;
 }
 
-TileMask Connected::kept_without() const {
-  TileMask tiles;
-  for (std::size_t tile = 0; tile < open_.size(); ++tile) {
-    if (open_[tile] != 0) tiles.insert(static_cast<Tile>(tile));
-  }
-  return tiles;
-}
-
 }  // namespace solitaire::tiles

@@ -17,7 +17,6 @@ class Connected : public GlobalRule {
   /// Returns how many components there are too many.
   std::uint64_t violation(const Grid& map) const override;
   std::string text() const override { return text_; }
-  TileMask kept_without() const override;
 
  private:
   Topology topology_;

@@ -131,34 +131,11 @@ Sample redraw_map(const Problem& problem, const std::vector<TileMask>& domains, 
   return sample;
 }
 
-namespace {
-
-/// Makes a start that keeps as many of the rules as it can: without the tiles that some are about, where
-/// there is such a map. Networks then grow from what is pinned, or from one place, and stay connected.
-Outcome make_sparse_start(const Problem& problem, const std::vector<TileMask>& domains, RandomStream& random,
-                          const StopSignal& stop, Grid& map) {
-  TileMask avoided;
-  for (const auto& rule : problem.global_rules()) avoided |= rule->kept_without();
-  if (!avoided.empty()) {
-    Problem sparse = problem;
-    for (std::uint32_t site = 0; site < problem.sites(); ++site) {
-      const TileMask rest = domains[site].without(avoided);
-      sparse.add({"", {site}, rest.empty() ? domains[site] : rest});
-    }
-    const Outcome outcome = make_start(sparse, consistent_domains(sparse), random, stop, map);
-    if (outcome != Outcome::kNone) return outcome;
-  }
-  return make_start(problem, domains, random, stop, map);
-}
-
-}  // namespace
-
 Sample sample_windows(const Problem& problem, const std::vector<TileMask>& domains,
                       const SamplerOptions& options, std::uint64_t number, const StopSignal& stop) {
   Sample sample;
   RandomStream random(mix(options.seed, number), Purpose::kTiles, UINT64_MAX);
-  sample.outcome =
-      domains.empty() ? Outcome::kNone : make_sparse_start(problem, domains, random, stop, sample.map);
+  sample.outcome = make_start(problem, domains, random, stop, sample.map);
   if (sample.outcome == Outcome::kFound) WindowSampling(problem, domains, options, number, stop).run(sample);
   return sample;
 }
