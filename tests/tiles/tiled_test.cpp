@@ -75,6 +75,17 @@ std::string error_of(const fs::path& path) {
   return "";
 }
 
+/// The same for a tileset that is known.
+std::string error_of_known(const fs::path& path, Tileset& tileset) {
+  try {
+    read_tiled(path, tileset, false);
+  } catch (const FileError& error) {
+    const std::string text = error.what();
+    return text.substr(path.parent_path().string().size() + 1);
+  }
+  return "";
+}
+
 std::vector<std::string> names_in(const Grid& map, const Tileset& tileset) {
   std::vector<std::string> names;
   for (const Tile tile : map.tiles) names.push_back(tile == kHole ? "" : tileset[tile].name);
@@ -167,6 +178,11 @@ TEST_CASE("all eight orientations of a tile come back, and look as they should")
   CHECK(written.find(data) != std::string::npos);
   Tileset again;
   CHECK(read_tiled(land.write("copy.tmx", write_tmx(map, tileset, path, land.path())), again, true) == map);
+  // A map in another folder is known by its gids, and its tilesets are not looked for.
+  CHECK(read_tiled(land.write("out/far.tmx", written), tileset, false) == map);
+  const std::string other = map_with(R"(<layer width="1" height="1"><data encoding="csv">5</data></layer>)");
+  CHECK(error_of_known(land.write("m.tmx", other), tileset) ==
+        "m.tmx: has the gid 5, which is no tile of the tileset");
 }
 
 TEST_CASE("a written map keeps what Tiled knows of it, and has one layer") {

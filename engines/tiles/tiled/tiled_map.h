@@ -94,8 +94,8 @@ WangColors wang_colors(const std::string& file, const std::vector<std::int64_t>&
 /// Returns a file that a map names, which must be in the map's folder or below. Throws FileError.
 std::filesystem::path file_beside(const std::filesystem::path& map, const std::string& named);
 
-/// Reads a map (.tmx, .tmj) from the bytes of its file, with its tilesets. Throws FileError.
-TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes);
-TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes);
+/// Reads a map (.tmx, .tmj) from the bytes of its file, with its tilesets or without. Throws FileError.
+TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes, bool with_tilesets = true);
+TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes, bool with_tilesets = true);
 
 }  // namespace solitaire::tiles

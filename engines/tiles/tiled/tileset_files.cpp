@@ -220,17 +220,65 @@ std::vector<TiledPin> read_pins(const std::filesystem::path& path) {
   return std::move(map.pins);
 }
 
+namespace {
+
+bool has_tiled_tiles(const Tileset& tileset) {
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    if (!tileset[static_cast<Tile>(tile)].parts.empty()) return true;
+  }
+  return false;
+}
+
+/// Returns the gids that a tile has in the layers of a map.
+std::vector<std::uint32_t> gids_of(const TileKind& kind, std::size_t layers) {
+  std::vector<std::uint32_t> gids(layers);
+  if (kind.parts.empty()) gids.front() = kind.gid.value_or(0);
+  for (std::size_t layer = 0; layer < kind.parts.size() && layer < layers; ++layer)
+    gids[layer] = kind.parts[layer].gid;
+  return gids;
+}
+
+/// Returns the tiles of known gids: a map that was written after the pattern of the exemplar has those of its
+/// tilesets, wherever these are.
+std::map<std::vector<std::uint32_t>, Tile> tiles_by_gids(const Tileset& tileset, std::size_t layers) {
+  std::map<std::vector<std::uint32_t>, Tile> tiles;
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    const TileKind& kind = tileset[static_cast<Tile>(tile)];
+    if (kind.gid) tiles.emplace(gids_of(kind, layers), static_cast<Tile>(tile));
+  }
+  return tiles;
+}
+
+bool is_empty(const std::vector<std::uint32_t>& gids) {
+  return std::ranges::all_of(gids, [](std::uint32_t gid) { return (gid & ~kFlags) == 0; });
+}
+
+std::string text_of_gids(const std::vector<std::uint32_t>& gids) {
+  std::string text;
+  for (const std::uint32_t gid : gids)
+    text += (text.empty() ? "" : "+") + std::to_string(gid & ~kFlags) + flag_letters(gid);
+  return text;
+}
+
+}  // namespace
+
 Grid read_tiled(const std::filesystem::path& path, Tileset& tileset, bool open) {
+  const bool by_gids = !open && has_tiled_tiles(tileset);
+  const std::string bytes = read_bytes(path);
   const TiledMap map =
-      path.extension() == ".tmj" ? read_tmj(path, read_bytes(path)) : read_tmx(path, read_bytes(path));
+      path.extension() == ".tmj" ? read_tmj(path, bytes, !by_gids) : read_tmx(path, bytes, !by_gids);
   const TiledTiles tiles(path, map);
   std::map<std::vector<std::uint32_t>, Tile> known;
+  if (by_gids) known = tiles_by_gids(tileset, map.layers.size());
   Grid grid(Size{{map.width, map.height, 1}});
   for (std::size_t site = 0; site < grid.tiles.size(); ++site) {
     std::vector<std::uint32_t> gids;
     for (const std::vector<std::uint32_t>& layer : map.layers) gids.push_back(layer[site] & ~kFlipHexagonal);
-    if (std::ranges::all_of(gids, [](std::uint32_t gid) { return (gid & ~kFlags) == 0; })) continue;
     auto found = known.find(gids);
+    if (found == known.end() && is_empty(gids)) continue;
+    if (found == known.end() && by_gids)
+      throw FileError(path.string(),
+                      fmt::format("has the gid {}, which is no tile of the tileset", text_of_gids(gids)));
     if (found == known.end())
       found =
           known.emplace(gids, tile_of(path, tiles.stacked_kind(gids, tileset.size()), tileset, open)).first;

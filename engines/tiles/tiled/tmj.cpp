@@ -110,7 +110,7 @@ TiledTileset read_tsj(const std::filesystem::path& path) {
   return tileset_of(object, path);
 }
 
-TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes) {
+TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes, bool with_tilesets) {
   const std::string file = path.string();
   const nlohmann::json json = parse_json(file, bytes);
   JsonObject root(file, json, "");
@@ -119,6 +119,7 @@ TiledMap read_tmj(const std::filesystem::path& path, const std::string& bytes) {
     root.fail("orientation", fmt::format("is '{}'; orthogonal maps are read", orientation));
   TiledMap map;
   for (JsonObject& each : root.objects("tilesets")) {
+    if (!with_tilesets) break;
     map.tilesets.push_back(each.has("source") ? read_tileset(file_beside(path, each.text("source")))
                                               : tileset_of(each, path));
     map.tilesets.back().first_gid = static_cast<std::uint32_t>(each.number("firstgid", 1, UINT32_MAX));

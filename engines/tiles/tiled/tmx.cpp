@@ -115,7 +115,7 @@ TiledTileset read_tsx(const std::filesystem::path& path) {
   return tileset_of(node, path);
 }
 
-TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes) {
+TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes, bool with_tilesets) {
   const std::string file = path.string();
   const pugi::xml_document document = parse_xml(file, bytes);
   const pugi::xml_node root = document.child("map");
@@ -125,6 +125,7 @@ TiledMap read_tmx(const std::filesystem::path& path, const std::string& bytes) {
     throw FileError(file, fmt::format("{} maps are not read, orthogonal ones are", orientation));
   TiledMap map;
   for (const pugi::xml_node& node : root.children("tileset")) {
+    if (!with_tilesets) break;
     const std::string source = node.attribute("source").as_string();
     map.tilesets.push_back(source.empty() ? tileset_of(node, path) : read_tileset(file_beside(path, source)));
     map.tilesets.back().first_gid = node.attribute("firstgid").as_uint();
