@@ -13,6 +13,7 @@
 #include "scene/gltf/reader.h"
 #include "tests/command.h"
 #include "tests/program_run.h"
+#include "tests/text.h"
 
 namespace solitaire {
 namespace {
@@ -26,8 +27,6 @@ constexpr const char* kScene =
     "x = range(0, 50);\ny = range(0, 50);\nassert(x + y > 20);\n"
     "place(\"chair\", at: [x, y], size: [1, 1]);\nreturn [x, y];\n";
 constexpr const char* kWrong = "x = 1 + \"a\";\n";
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::size_t lines_in(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

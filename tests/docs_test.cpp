@@ -40,6 +40,7 @@
 #include "library/scene_of.h"
 #include "tests/explain_comments.h"
 #include "tests/program_run.h"
+#include "tests/text.h"
 
 namespace solitaire {
 namespace {
@@ -76,12 +77,6 @@ struct PageProgram {
     return it == expectations.end() ? kNone : it->second;
   }
 };
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 void read_expectation(const std::string& line, std::size_t number, PageProgram& program) {
   for (const char* kind : {"value", "solutions", "results", "choices", "print", "places", "error", "help",

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/command.h"
+#include "tests/text.h"
 #include "tracegraph/address_pattern.h"
 
 namespace solitaire {
@@ -28,8 +29,6 @@ constexpr const char* kSolvable =
 constexpr const char* kSeats =
     "fun seat() { x, y = range(0, 9), range(0, 9); return x + y; }\n"
     "near = flip();\nreturn [seat() for i in 1..2], near;\n";
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A workplace whose path does not show in what is reported.
 std::string without(const Workplace& place, std::string text) {

@@ -7,15 +7,12 @@
 #include <fmt/ranges.h>
 #include <sstream>
 
+#include "tests/text.h"
+
 namespace solitaire {
 namespace {
 
 using Members = ExplainComments::Members;
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
 
 Pin pin_of(const std::string& text, bool forbidden) {
   const std::size_t sign = text.rfind('=');

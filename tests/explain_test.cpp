@@ -87,12 +87,6 @@ void check_scripts(std::size_t part) {
   }
 }
 
-/// The program's text, as if it were a file.
-Program program_of(const std::string& text) {
-  SourceSet sources;
-  return load_program_text("many.sol", text, library(), sources);
-}
-
 // Of the 67 conditions the 21 of line 2 and that of line 5 are in the way, and no others.
 TEST_CASE("explain: of many conditions all are told first, then places, then single ones") {
   const Program program = program_of(

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "tests/command.h"
+#include "tests/text.h"
 
 namespace solitaire::api {
 namespace {
@@ -26,8 +27,6 @@ constexpr const char* kHard =
 constexpr const char* kScene =
     "x = range(0, 50);\ny = range(0, 50);\nassert(x + y > 20);\n"
     "place(\"chair\", at: [x, y], size: [1, 1]);\nreturn [x, y];\n";
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Finds all solutions of a program and returns their values, sorted.
 std::vector<std::string> values_of(const Program& program) {

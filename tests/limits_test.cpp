@@ -14,6 +14,7 @@
 
 #include "scene/gltf/reader.h"
 #include "tests/command.h"
+#include "tests/text.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define SOLITAIRE_SANITIZED
@@ -64,8 +65,6 @@ constexpr const char* kMany =
 constexpr const char* kUneven =
     "k = range(0, 9);\nplace(\"chair\", at: [k, 0], size: [1, 1]);\n"
     "if k == 5 { for i in 0..9000 { place(\"box\", at: [i, 3], size: [1, 1]); } }\n";
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 double seconds_of(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+namespace solitaire {
+
+/// Whether the part stands somewhere in the text.
+inline bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The text without white space at its ends.
+inline std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
+}
+
+}  // namespace solitaire
