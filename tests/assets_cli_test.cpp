@@ -1,4 +1,5 @@
 // The models as the command line lists and draws them.
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 // CaDiCaL that begins anew, against brute force: it keeps the clauses, and takes further ones.
 #include "smt/sat/cadical.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <random>
 #include <vector>

@@ -2,6 +2,7 @@
 // fewest.
 #include "smt/cdcl/choice_search.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <random>
 #include <vector>

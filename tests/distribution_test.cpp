@@ -1,6 +1,7 @@
 // Distributions against closed forms: what is drawn stands in the proportions that the densities say.
 #include "tracegraph/distribution.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <functional>

@@ -1,5 +1,6 @@
 // A traced execution says, by the nodes of its values, what executions with other values of the choices come
 // to. Every such claim is checked by running them.
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <map>
 

@@ -1,5 +1,6 @@
 #include "solitaire/syntax/token_reader.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 

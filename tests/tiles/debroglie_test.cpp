@@ -1,6 +1,7 @@
 // Configurations of DeBroglie, in the forms that its documentation has.
 #include "engines/tiles/request/debroglie.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <set>
 
