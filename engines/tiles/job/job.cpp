@@ -204,6 +204,8 @@ JobEnding Job::State::make_maps(const std::function<void(std::uint64_t)>& delive
   const StopAtEnd stop_at_end{signal};
   std::uint64_t begun = 0;
   for (number = 1; number <= options.maps; ++number) {
+    // Maps that are made faster than the wait for them looks up would not be stopped otherwise.
+    if (stopped()) return JobEnding::kStopped;
     while (begun < options.maps && running.size() < options.jobs) {
       running.push_back(
           std::async(std::launch::async, [&, next = ++begun] { return maker.make(next, signal); }));
