@@ -142,9 +142,8 @@ class Comparer {
     stop.set_deadline(StopSignal::Clock::now() + kTimeOfBruteForce);
     Limits limits = limits_;
     limits.stop = &stop;
-    ExhaustiveEngine engine(program_, {}, limits);
+    ExhaustiveEngine engine(program_, {}, limits, kMostExecutions);
     while (engine.ending() == Ending::kNone) {
-      if (engine.executions() > kMostExecutions) return skip("too many executions");
       try {
         const auto solution = engine.next();
         if (!solution) break;

@@ -46,12 +46,10 @@ std::vector<Found> all_solutions(SolutionStream& engine) {
 
 std::optional<std::vector<Found>> brute_force(const Program& program, const ParamValues& params,
                                               std::uint64_t most_executions) {
-  ExhaustiveEngine engine(program, params, {});
+  ExhaustiveEngine engine(program, params, {}, most_executions);
   std::vector<Found> all;
-  while (const auto solution = engine.next()) {
-    if (engine.executions() > most_executions) return std::nullopt;
-    all.push_back(found(*solution));
-  }
+  while (const auto solution = engine.next()) all.push_back(found(*solution));
+  if (engine.ending() != Ending::kExhausted) return std::nullopt;
   return sorted(std::move(all));
 }
 

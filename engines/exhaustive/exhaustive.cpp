@@ -4,16 +4,22 @@
 
 namespace solitaire {
 
-ExhaustiveEngine::ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits)
+ExhaustiveEngine::ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits,
+                                   std::uint64_t most_executions)
     : program_(program),
       params_(std::move(params)),
       limits_(limits),
-      executor_(program_, params_, addresses_, limits_) {}
+      executor_(program_, params_, addresses_, limits_),
+      most_executions_(most_executions) {}
 
 std::optional<Solution> ExhaustiveEngine::next() {
   while (ending_ == Ending::kNone) {
     if (!odometer_.advance()) {
       ending_ = Ending::kExhausted;
+      break;
+    }
+    if (executions_ == most_executions_) {
+      ending_ = Ending::kStopped;
       break;
     }
     ++executions_;

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <limits>
 #include <set>
 
 #include "engines/exhaustive/exhaustive_choices.h"
@@ -13,7 +15,9 @@ namespace solitaire {
 /// testing other engines.
 class ExhaustiveEngine : public SolutionStream {
  public:
-  ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits);
+  /// Ends after so many executions at most, with Ending::kStopped if there are more.
+  ExhaustiveEngine(const Program& program, ParamValues params, const Limits& limits,
+                   std::uint64_t most_executions = std::numeric_limits<std::uint64_t>::max());
 
   std::optional<Solution> next() override;
   Ending ending() const override { return ending_; }
@@ -31,6 +35,7 @@ class ExhaustiveEngine : public SolutionStream {
   ExhaustiveChoices odometer_;
   std::set<Valuation> known_;  // what tells solutions with auxiliary choices apart
   Ending ending_ = Ending::kNone;
+  std::uint64_t most_executions_;
   std::uint64_t executions_ = 0;
 };
 
