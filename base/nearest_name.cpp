@@ -46,7 +46,8 @@ std::string nearer_than(std::size_t best_distance, std::string_view name,
 }  // namespace
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
-  return nearer_than(name.size() <= 3 ? 2 : 3, name, candidates);
+  // Of a short name, two letters are most of it.
+  return nearer_than(name.size() <= 5 ? 2 : 3, name, candidates);
 }
 
 std::string misspelled_name(std::string_view name, const std::vector<std::string>& candidates) {

@@ -11,19 +11,43 @@
 namespace solitaire {
 namespace {
 
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+struct ForeignName {
+  std::string_view name, help;
+};
 
-/// Returns what to write for what other languages call like this; "" if it is nothing that is known.
+/// What other languages call like this, and what to write for it.
+constexpr ForeignName kForeignNames[] = {
+    {"None", "the value for nothing is nil"},
+    {"null", "the value for nothing is nil"},
+    {"undefined", "the value for nothing is nil"},
+    {"True", "the bools are true and false"},
+    {"False", "the bools are true and false"},
+    {"len", "write length(list)"},
+    {"size", "write length(list)"},
+    {"int", "floor(x) makes an int of a float, and 1.0 * x a float of an int"},
+    {"float", "floor(x) makes an int of a float, and 1.0 * x a float of an int"},
+    {"round", "floor(x + 0.5) rounds a number"},
+    {"ceil", "-floor(-x) rounds a number up"},
+    {"random", "range(lo, hi) chooses an int"},
+    {"randint", "range(lo, hi) chooses an int"},
+    {"randrange", "range(lo, hi) chooses an int"},
+    {"rand", "range(lo, hi) chooses an int"},
+    {"shuffle", "a list in any order is one of choices that differ: assert(distinct(list))"},
+    {"unique", "distinct(list) is true where all elements differ"},
+    {"find", "index_of(list, value) is where it stands first"},
+    {"index", "index_of(list, value) is where it stands first"},
+    {"append", "list + [value] is a list with one element more"},
+    {"push", "list + [value] is a list with one element more"},
+    {"mean", "1.0 * sum(list) / length(list) is the mean"},
+    {"average", "1.0 * sum(list) / length(list) is the mean"},
+    {"reduce", "go through the list in a loop: for x in list: total = total * x"},
+    {"fold", "go through the list in a loop: for x in list: total = total * x"},
+    {"product", "go through the list in a loop: for x in list: total = total * x"},
+};
+
 std::string help_for_foreign_name(std::string_view name) {
-  if (is_one_of(name, {"None", "null", "undefined"})) return "the value for nothing is nil";
-  if (is_one_of(name, {"True", "False"})) return "the bools are true and false";
-  if (is_one_of(name, {"len", "size"})) return "write length(list)";
-  if (is_one_of(name, {"int", "float"}))
-    return "floor(x) makes an int of a float, and 1.0 * x a float of an int";
-  if (is_one_of(name, {"random", "randint", "rand"})) return "range(lo, hi) chooses an int";
-  return "";
+  const auto known = std::ranges::find(kForeignNames, name, &ForeignName::name);
+  return known == std::end(kForeignNames) ? "" : std::string(known->help);
 }
 
 bool was_skipped(const Module& module, const std::string& name) {
