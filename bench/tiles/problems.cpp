@@ -37,7 +37,7 @@ const Size kFourAcross{{4, 1, 1}}, kFourDown{{1, 4, 1}};
 
 std::shared_ptr<Style> style_named(const std::string& name) {
   Request request;
-  request.exemplars.push_back({SOLITAIRE_SOURCE_DIR "/" + name + ".txt", "", false, false});
+  request.exemplars.push_back({SOLITAIRE_SOURCE_DIR "/" + name + ".txt", "", false, {}});
   return read_style(request);
 }
 

@@ -371,7 +371,7 @@ TEST_CASE("a Wang set says what may be beside what") {
  {"tileid": 1, "wangid": [0,2,0,2,0,2,0,2]}, {"tileid": 2, "wangid": [0,2,0,2,0,1,0,1]}]}]})")
             : land.write("shore.tsx", kShore);
     Request request;
-    request.exemplars.push_back({file, "", false, false});
+    request.exemplars.push_back({file, "", false, {}});
     const auto style = read_style(request);
     REQUIRE(style->tileset.names() == std::vector<std::string>{"shore#0", "shore#1", "shore#2"});
     const PairRules& pairs = style->pairs.front();
@@ -386,7 +386,7 @@ TEST_CASE("a Wang set says what may be beside what") {
     }
   }
   Request without;
-  without.exemplars.push_back({land.write("no.tsx", kTileset), "", false, false});
+  without.exemplars.push_back({land.write("no.tsx", kTileset), "", false, {}});
   CHECK_THROWS_AS(read_style(without), FileError);
 }
 
@@ -398,7 +398,7 @@ TEST_CASE("the labels of a Wang set turn with their tile, and count where they a
       land.write("bay.tmx", map_with(layer(R"(<data encoding="csv">7,6,2147483655,7,6,2147483655</data>)"),
                                      R"(source="shore.tsx")"));
   Request request;
-  request.exemplars.push_back({map, "", false, false});
+  request.exemplars.push_back({map, "", false, {}});
   const auto allowed = [&](const char* a, const char* b) {
     const auto style = read_style(request);
     return style->pairs.front().allowed(0, style->tileset.find(a).value(), style->tileset.find(b).value());
