@@ -167,12 +167,8 @@ void check_joint_moves(const char* text, std::size_t draws) {
   };
   JointMove move(kernel.floats().size(), true);
   for (std::size_t i = 0; i < draws; ++i) {
-    // One after the other, as later ones may depend on earlier ones.
-    for (ChoiceNumber c = 0; c < kernel.program().choices.size(); ++c) {
-      const Scalar value = kernel.distribution(c).sample(traced.stream).scalar();
-      REQUIRE(kernel.propose(c, value) == Kernel::Outcome::kScored);
-      kernel.accept();
-    }
+    const auto draw = [&](ChoiceNumber c) { return kernel.distribution(c).sample(traced.stream).scalar(); };
+    REQUIRE(kernel.follow(draw) == Kernel::Outcome::kScored);
     add(prior);
     if (i < 200) move.watch(kernel);
   }
@@ -200,6 +196,7 @@ TEST_CASE("joint moves: floats that move together alone are spread as they shoul
       "g = gamma(3, 2); h = exponential(g + 1); p = beta(2, 3); u = uniform(0, 4);"
       "return log(g), min(h, 2), p, u;",
       4000);
+  check_joint_moves("g = gamma(3, 2); u = uniform(0, g + 1); v = uniform(-1, 2); return log(g), u, v;", 4000);
   // Far more than covariances are learned of.
   check_joint_moves("m = normal(0, 1); x = [normal(0.3 * m, 1) for i in 1..40]; return m, sum(x), x[3];",
                     2000);
