@@ -249,6 +249,8 @@ def tests_pass(build, names="*", number=0):
 
 def main():
     source = pathlib.Path(__file__).resolve().parents[2]
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
     build = pathlib.Path(sys.argv[1]).resolve()
     copy_tree(source, build / "source")
     if not (build / "build.ninja").exists():
