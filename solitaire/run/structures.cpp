@@ -211,8 +211,8 @@ Value Structures::selected_scalar(const Elements& list, NodeId index,
 /// index is its place, which solvers like best; of many these conditions would be long.
 Value Structures::selected(const Elements& list, NodeId index,
                            std::pair<std::int64_t, std::int64_t> possible) {
-  // None is possible where the path itself is ruled out: then any element will do.
-  if (possible.second < possible.first) return list.value(0);
+  // None is possible where the path itself is ruled out: then anything will do.
+  if (possible.second < possible.first) return list.size() == 0 ? Value() : list.value(0);
   if (possible.second - possible.first >= kMostInChain && are_scalars(list, possible))
     return selected_scalar(list, index, possible);
   Value chosen = list.value(static_cast<std::size_t>(possible.second));
