@@ -211,8 +211,6 @@ Value Structures::selected_scalar(const Elements& list, NodeId index,
 /// index is its place, which solvers like best; of many these conditions would be long.
 Value Structures::selected(const Elements& list, NodeId index,
                            std::pair<std::int64_t, std::int64_t> possible) {
-  // None is possible where the path itself is ruled out: then anything will do.
-  if (possible.second < possible.first) return list.size() == 0 ? Value() : list.value(0);
   if (possible.second - possible.first >= kMostInChain && are_scalars(list, possible))
     return selected_scalar(list, index, possible);
   Value chosen = list.value(static_cast<std::size_t>(possible.second));
@@ -270,12 +268,13 @@ std::size_t Structures::checked_index(const Value& index, std::size_t count, Spa
   return static_cast<std::size_t>(known);
 }
 
-/// The first and last index that a chosen index can take in a list of that length; others are ruled out.
+/// The first and last index that a chosen index can take in a list of that length, of which there is at least
+/// one; others are ruled out.
 std::pair<std::int64_t, std::int64_t> Structures::possible_indices(const Value& index, std::size_t count,
                                                                    Span span) {
   const Interval interval = graph_->node(node_of(*graph_, index)).interval;
   const auto end = static_cast<std::int64_t>(count) - 1;
-  if (interval.hi < 0 || interval.lo > end) reject(ConstraintKind::kIndex, span);
+  if (count == 0 || interval.hi < 0 || interval.lo > end) reject(ConstraintKind::kIndex, span);
   if (interval.lo < 0)
     require(int_operation(Op::kLeInt, std::int64_t{0}, index, span), ConstraintKind::kIndex, span);
   if (interval.hi > end) require(int_operation(Op::kLeInt, index, end, span), ConstraintKind::kIndex, span);
