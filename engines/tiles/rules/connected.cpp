@@ -1,7 +1,6 @@
 #include "engines/tiles/rules/connected.h"
 
 #include "engines/tiles/rules/components.h"
-#include "engines/tiles/rules/links.h"
 
 namespace solitaire::tiles {
 
@@ -11,7 +10,7 @@ std::uint64_t Connected::violation(const Grid& map) const {
   for (std::size_t site = 0; site < map.tiles.size(); ++site) {
     if (open_[map[site]] != 0) ++count;
   }
-  for_each_link(topology_, open_, map, [&](std::size_t a, std::size_t b) {
+  for_each_link(map, [&](std::size_t a, std::size_t b) {
     if (components.join(a, b)) --count;
   });
   return count > 1 ? count - 1 : 0;

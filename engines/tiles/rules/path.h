@@ -1,29 +1,23 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "engines/tiles/model/global_rule.h"
-#include "engines/tiles/model/tileset.h"
+#include "engines/tiles/rules/network_rule.h"
 
 namespace solitaire::tiles {
 
-/// A path leads from one site to another. It steps from a tile to a neighbour where each is open towards the
-/// other.
-class Path : public GlobalRule {
+/// A path leads over the network from one site to another.
+class Path : public NetworkRule {
  public:
-  /// `open` has the open sides of each tile; 0 for those that are not passable.
   Path(const Topology& topology, std::vector<Sides> open, std::size_t from, std::size_t to, std::string text)
-      : topology_(topology), open_(std::move(open)), from_(from), to_(to), text_(std::move(text)) {}
+      : NetworkRule(topology, std::move(open), std::move(text)), from_(from), to_(to) {}
 
   /// Returns how many closed steps the best way between the sites takes; 0 if there is a path.
   std::uint64_t violation(const Grid& map) const override;
-  std::string text() const override { return text_; }
 
  private:
-  Topology topology_;
-  std::vector<Sides> open_;
   std::size_t from_, to_;
-  std::string text_;
 };
 
 }  // namespace solitaire::tiles
