@@ -8,15 +8,16 @@
 namespace solitaire {
 
 LiveConditions::LiveConditions(const Graph& graph, std::vector<NodeId> conditions, Assignment& values)
-    : conditions_(std::move(conditions)), nodes_(nodes_below(graph, conditions_)) {
-  std::ranges::sort(nodes_, {}, &NodeId::index);  // operands are made before what they are operands of
-  users_.resize(nodes_.size());
-  condition_of_.resize(nodes_.size());
-  touched_.resize(nodes_.size());
-  for (Place place = 0; place < nodes_.size(); ++place) {
-    places_.emplace(nodes_[place].index, place);
-    values_.push_back(values.value(nodes_[place]));
-    const Graph::Node& node = graph.node(nodes_[place]);
+    : conditions_(std::move(conditions)) {
+  std::vector<NodeId> nodes = nodes_below(graph, conditions_);
+  std::ranges::sort(nodes, {}, &NodeId::index);  // operands are made before what they are operands of
+  users_.resize(nodes.size());
+  condition_of_.resize(nodes.size());
+  touched_.resize(nodes.size());
+  for (Place place = 0; place < nodes.size(); ++place) {
+    places_.emplace(nodes[place].index, place);
+    values_.push_back(values.value(nodes[place]));
+    const Graph::Node& node = graph.node(nodes[place]);
     Part& part = parts_.emplace_back(Part{node.op, {}});
     for (std::size_t operand = 0; operand < node.args().size(); ++operand) {
       part.operands.at(operand) = places_.at(node.args()[operand].index);

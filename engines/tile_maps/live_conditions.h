@@ -45,8 +45,7 @@ class LiveConditions {
   };
 
   std::vector<NodeId> conditions_;
-  std::vector<Part> parts_;    // by place
-  std::vector<NodeId> nodes_;  // by place
+  std::vector<Part> parts_;  // by place
   std::unordered_map<std::uint32_t, Place> places_;
   std::vector<std::optional<Scalar>> values_;             // by place
   std::vector<std::vector<Place>> users_;                 // by place: the nodes that it is an operand of

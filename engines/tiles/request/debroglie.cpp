@@ -14,13 +14,17 @@ namespace solitaire::tiles {
 
 namespace fs = std::filesystem;
 
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 std::string debroglie_tile(JsonObject& object, const char* member, const nlohmann::json& value) {
   if (value.is_number_integer()) return value.dump();
   if (!value.is_string()) object.fail(member, "has what is neither the name nor the number of a tile");
   std::string name = value.get<std::string>();
-  if (name.starts_with('#'))
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (name.starts_with('#')) name = in_small_letters(std::move(name));
   if (name.ends_with("!x0")) name.pop_back();
   if (name.ends_with("!0")) name.resize(name.size() - 2);
   return name;
@@ -37,9 +41,11 @@ std::vector<std::string> debroglie_tiles(JsonObject& object, const char* tiles, 
 
 namespace {
 
-/// What a tile becomes, as its data say.
-struct Images {
-  std::string turned, mirrored, upside_down;
+/// What is said of a tile of the sample.
+struct TileData {
+  std::string turned, mirrored, upside_down;  // what it becomes
+  double bias = 1;
+  std::string where;  // it is said
 };
 
 /// Reads one configuration.
@@ -188,7 +194,7 @@ class DebroglieReader {
     }
     if (!request_.tiles.empty() && !request_.exemplars.empty())
       throw FileError(name_, "has a 'src' for the sample and for single tiles; one of both is read");
-    for (const auto& [name, images] : images_) add_remark(name, images);
+    for (const auto& [name, data] : data_) add_remark(name, data);
   }
 
   static double frequency_of(JsonObject& tile) {
@@ -256,31 +262,29 @@ class DebroglieReader {
     if (!letter.empty() && letter != "X")
       object.fail("tileSymmetry",
                   "is read of tiles with a 'src' of their own; X of all, and say 'rotateCw' and 'reflectX'");
-    Images& images = images_[name];
-    biases_[name] = frequency_of(object);
-    places_[name] = object.where();
-    if (letter == "X") images.turned = images.mirrored = name;
-    if (object.has("rotateCw")) images.turned = image("rotateCw");
-    if (object.has("reflectX")) images.mirrored = image("reflectX");
-    if (object.has("reflectY")) images.upside_down = image("reflectY");
-    if (object.has("rotateCcw")) images_[image("rotateCcw")].turned = name;
+    TileData& data = data_[name];
+    data.bias = frequency_of(object);
+    data.where = object.where();
+    if (letter == "X") data.turned = data.mirrored = name;
+    if (object.has("rotateCw")) data.turned = image("rotateCw");
+    if (object.has("reflectX")) data.mirrored = image("reflectX");
+    if (object.has("reflectY")) data.upside_down = image("reflectY");
+    if (object.has("rotateCcw")) data_[image("rotateCcw")].turned = name;
   }
 
-  void add_remark(const std::string& name, const Images& images) {
-    RemarkEntry remark{name, 1, images.turned, images.mirrored, places_[name]};
-    if (const auto bias = biases_.find(name); bias != biases_.end()) remark.bias = bias->second;
+  void add_remark(const std::string& name, const TileData& data) {
+    RemarkEntry remark{name, data.bias, data.turned, data.mirrored, data.where.empty() ? name_ : data.where};
     // Left to right is upside down, turned by a half.
-    if (remark.mirrored.empty() && !images.upside_down.empty())
-      remark.mirrored = turned_by_half(images.upside_down);
-    if (remark.where.empty()) remark.where = name_;
+    if (remark.mirrored.empty() && !data.upside_down.empty())
+      remark.mirrored = turned_by_half(data.upside_down);
     request_.remarks.push_back(std::move(remark));
   }
 
   std::string turned_by_half(const std::string& name) const {
     std::string now = name;
     for (int turn = 0; turn < 2; ++turn) {
-      const auto found = images_.find(now);
-      if (found != images_.end() && !found->second.turned.empty()) now = found->second.turned;
+      const auto found = data_.find(now);
+      if (found != data_.end() && !found->second.turned.empty()) now = found->second.turned;
     }
     return now;
   }
@@ -306,9 +310,7 @@ class DebroglieReader {
   JsonObject file_;
   DebroglieMap map_;
   std::string treatment_;                 // of tiles of which nothing else is said
-  std::map<std::string, Images> images_;  // by tile of the sample
-  std::map<std::string, double> biases_;
-  std::map<std::string, std::string> places_;
+  std::map<std::string, TileData> data_;  // by tile of the sample
   Request request_;
 };
 

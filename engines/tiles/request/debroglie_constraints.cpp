@@ -1,19 +1,12 @@
 // The constraints of DeBroglie's configuration, in the words of a request.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fmt/format.h>
 
 #include "engines/tiles/request/debroglie_words.h"
 
 namespace solitaire::tiles {
 namespace {
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// Reads {"x", "y", "z"}.
 Point point_of(JsonObject& holder, const char* member, const nlohmann::json& json, const DebroglieMap& map) {
@@ -46,7 +39,7 @@ char side_letter(JsonObject& object, const char* member, const std::string& dire
                                                                      {"y-", "yminus"},
                                                                      {"z+", "zplus"},
                                                                      {"z-", "zminus"}}};
-  const std::string name = lower(direction);
+  const std::string name = in_small_letters(direction);
   const auto found =
       std::ranges::find_if(kNames, [&](const auto& each) { return name == each[0] || name == each[1]; });
   if (found == kNames.end())
@@ -123,7 +116,7 @@ std::vector<std::string> sides_of_text(JsonObject& object, const char* member, c
   static constexpr std::array<const char*, 6> kNames{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
   static constexpr std::array<const char*, 6> kHere{"left", "right", "top", "bottom", "below", "above"};
   std::vector<std::string> sides;
-  std::string rest = lower(object.text(member));
+  std::string rest = in_small_letters(object.text(member));
   rest.erase(std::remove(rest.begin(), rest.end(), ' '), rest.end());
   for (std::size_t from = 0; from <= rest.size();) {
     const std::size_t comma = std::min(rest.find(',', from), rest.size());
@@ -174,7 +167,7 @@ void add_longest_runs(JsonObject& object, Request& request) {
     return;
   }
   for (const std::string& name : object.texts("axes")) {
-    const std::size_t axis = std::string("xyz").find(lower(name));
+    const std::size_t axis = std::string("xyz").find(in_small_letters(name));
     if (name.size() != 1 || axis >= kAxes)
       object.fail("axes", fmt::format("has '{}'; x, y and z are axes", name));
     run.axis = axis;
@@ -193,7 +186,7 @@ void add_mirror(JsonObject& object, std::size_t axis, Request& request) {
 
 void add_count(JsonObject& object, Request& request) {
   CountEntry entry{debroglie_tiles(object), 0, UINT64_MAX, object.where()};
-  const std::string comparison = lower(object.text("comparison"));
+  const std::string comparison = in_small_letters(object.text("comparison"));
   const auto count = static_cast<std::uint64_t>(object.number("count", 0, INT64_MAX));
   if (comparison != "atleast" && comparison != "atmost" && comparison != "exactly")
     object.fail("comparison", "is none of atLeast, atMost and exactly");

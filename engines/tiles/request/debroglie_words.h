@@ -16,6 +16,9 @@ struct DebroglieMap {
   bool is_flipped = false;
 };
 
+/// Returns the text with its letters from A to Z in small.
+std::string in_small_letters(std::string text);
+
 /// Returns what a tile is called here: numbers as text, colours in small letters, turned tiles as variants.
 std::string debroglie_tile(JsonObject& object, const char* member, const nlohmann::json& value);
 /// Returns the tiles that `tiles` lists, or the one that `tile` names.
