@@ -94,12 +94,12 @@ Nodes nodes_of(const TilesOptions& options, std::size_t tiles) {
 
 MapLook look_of(const tiles::Job& job, const Options& options, const std::string& name,
                 AssetLibrary& assets) {
-  const std::vector<tiles::ShownTile> tiles = job.shown_tiles();
-  MapLook look{name, job.file("png", options.tiles->pixels, options.output), std::nullopt,
-               nodes_of(*options.tiles, tiles.size())};
+  MapLook look{name, job.shown_tiles(), job.file("png", options.tiles->pixels, options.output), std::nullopt};
   const bool is_asked_for = std::ranges::count(options.tiles->formats, "glb") > 0;
   const auto has_shape = [](const tiles::ShownTile& tile) { return !tile.asset.empty() || tile.at[2] > 0; };
-  if (is_asked_for || std::ranges::any_of(tiles, has_shape)) look.scene = tiles_scene(job, name, assets);
+  if (is_asked_for || std::ranges::any_of(look.tiles, has_shape))
+    look.scene = tiles_scene(look.tiles, name, assets);
+  look.nodes = nodes_of(*options.tiles, look.tiles.size());
   return look;
 }
 
@@ -147,7 +147,7 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
     const MapLook look = look_of(job, options, name, assets);
     for (const std::string& format : options.tiles->formats)
       write_map(job, options, look, options.output / fmt::format("{}.{}", name, format));
-    page.add(job, number, look);
+    page.add(number, look);
     delivered = number;
   });
   const auto lock = watchdog.delivering();

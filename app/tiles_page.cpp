@@ -60,7 +60,7 @@ Json choices_of(const std::vector<tiles::ShownTile>& tiles) {
 TilesPage::TilesPage(const Options& options, std::string stem)
     : options_(options), stem_(std::move(stem)), page_(options.output, find_data_folder() / "page") {}
 
-void TilesPage::add(const tiles::Job& job, std::uint64_t number, const MapLook& look) {
+void TilesPage::add(std::uint64_t number, const MapLook& look) {
   GalleryEntry entry;
   entry.index = number;
   entry.name = look.name;
@@ -68,17 +68,16 @@ void TilesPage::add(const tiles::Job& job, std::uint64_t number, const MapLook& 
   entry.has_sharp_pixels = true;
   entry.glb = file_of(entry.name, "glb");
   entry.json = file_of(entry.name, "json");
-  const std::vector<tiles::ShownTile> tiles = job.shown_tiles();
-  const Json about{{"views", {drawing_of(entry.picture, look.png)}}, {"choices", choices_of(tiles)}};
+  const Json about{{"views", {drawing_of(entry.picture, look.png)}}, {"choices", choices_of(look.tiles)}};
   // What has no names cannot be clicked at.
   const SolutionFiles files =
       look.scene && (look.nodes == Nodes::kOneEach || look.nodes == Nodes::kInstances)
           ? page_.add(entry.name, &*look.scene, glb_bytes(*look.scene, look.nodes), text_of(about))
           : page_.add(entry.name, nullptr, "", text_of(about));
   if (!has_format("png")) write_file_atomically(options_.output / entry.picture, look.png);
-  if (tiles.size() <= kMostCompared) entry.choices = tiles.size();
+  if (look.tiles.size() <= kMostCompared) entry.choices = look.tiles.size();
   entry.facts = text_of({{"index", number}, {"script", files.script}});
-  add_row(tiles);
+  add_row(look.tiles);
   entries_.push_back(std::move(entry));
 }
 

@@ -17,9 +17,10 @@ namespace solitaire::app {
 /// How a map looks: as a picture (.png), and as a scene where that was asked for or it has models or layers.
 struct MapLook {
   std::string name;  // of its files, without ending
+  std::vector<tiles::ShownTile> tiles;
   std::string png;
   std::optional<Scene> scene;
-  Nodes nodes;
+  Nodes nodes = Nodes::kOneEach;  // of the scene's .glb
 };
 
 /// The page of a run's maps. It shows each as a picture, and in 3D those that have models or layers, and
@@ -29,8 +30,8 @@ class TilesPage {
   /// `stem` is the name of the maps' files without number and ending.
   TilesPage(const Options& options, std::string stem);
 
-  /// Puts the map that the job delivers onto the page, with the files that it has in `options.output`.
-  void add(const tiles::Job& job, std::uint64_t number, const MapLook& look);
+  /// Puts a map onto the page, with the files that it has in `options.output`.
+  void add(std::uint64_t number, const MapLook& look);
   /// Writes the page. Does nothing if there is no map.
   void close() const;
 

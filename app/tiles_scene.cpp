@@ -25,9 +25,10 @@ PlacedThing thing_of(const tiles::ShownTile& tile) {
 
 }  // namespace
 
-Scene tiles_scene(const tiles::Job& job, const std::string& title, AssetLibrary& assets) {
+Scene tiles_scene(const std::vector<tiles::ShownTile>& tiles, const std::string& title,
+                  AssetLibrary& assets) {
   std::vector<PlacedThing> things;
-  for (const tiles::ShownTile& tile : job.shown_tiles()) things.push_back(thing_of(tile));
+  for (const tiles::ShownTile& tile : tiles) things.push_back(thing_of(tile));
   return build_scene(things, 1.0, title, assets);
 }
 

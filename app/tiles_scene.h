@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "engines/tiles/job/job.h"
 #include "scene/assets.h"
@@ -7,8 +8,8 @@
 
 namespace solitaire::app {
 
-/// Returns the map that a job delivers as a scene: a metre a tile, each a model, or a box of its colour.
+/// Returns the tiles of a map as a scene: a metre a tile, each a model, or a box of its colour.
 /// The scene refers to the models of `assets`.
-Scene tiles_scene(const tiles::Job& job, const std::string& title, AssetLibrary& assets);
+Scene tiles_scene(const std::vector<tiles::ShownTile>& tiles, const std::string& title, AssetLibrary& assets);
 
 }  // namespace solitaire::app
