@@ -19,7 +19,7 @@ class KnownModels : public Models {
   /// Throws SceneError for a file that cannot be used.
   std::optional<ModelFacts> find(const std::string& name) const override;
   std::vector<std::string> names() const override;
-  std::vector<std::string> materials() const override { return material_names(); }
+  const std::vector<std::string>& materials() const override { return material_names(); }
 
  private:
   mutable std::mutex mutex_;

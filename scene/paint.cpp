@@ -48,9 +48,12 @@ std::optional<Paint> material_named(std::string_view name) {
   return Paint{std::string(name), found->color, found->finish};
 }
 
-std::vector<std::string> material_names() {
-  std::vector<std::string> names;
-  for (const Material& material : kMaterials) names.emplace_back(material.name);
+const std::vector<std::string>& material_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Material& material : kMaterials) all.emplace_back(material.name);
+    return all;
+  }();
   return names;
 }
 

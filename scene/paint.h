@@ -40,6 +40,6 @@ struct Paint {
 std::optional<Paint> material_named(std::string_view name);
 
 /// Returns the names of all materials.
-std::vector<std::string> material_names();
+const std::vector<std::string>& material_names();
 
 }  // namespace solitaire

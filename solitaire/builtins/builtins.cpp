@@ -378,9 +378,9 @@ class PathChecks : public PlacementChecks {
                           evaluator_.compare(BinaryOp::kGreater, number, std::int64_t{1}, span)),
         span, message);
   }
-  std::vector<std::string> materials() override {
+  const std::vector<std::string>* materials() override {
     const Models* models = evaluator_.program().models.get();
-    return models == nullptr ? std::vector<std::string>() : models->materials();
+    return models == nullptr ? nullptr : &models->materials();
   }
 
  private:

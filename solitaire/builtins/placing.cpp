@@ -125,15 +125,15 @@ class PlaceReader {
   }
 
   void check_material(const Value& material) {
-    const std::vector<std::string> known = checks_.materials();
-    if (known.empty()) return;
+    const std::vector<std::string>* known = checks_.materials();
+    if (known == nullptr) return;
     each_shape(material, [&](const Value& one) {
       const String* name = one.object<String>();
       if (name == nullptr) fail("material", "is a string, not " + describe(one));
-      if (std::ranges::find(known, name->text) != known.end()) return;
-      const std::string nearest = nearest_name(name->text, known);
+      if (std::ranges::find(*known, name->text) != known->end()) return;
+      const std::string nearest = nearest_name(name->text, *known);
       fail("material", fmt::format("has no '{}'; {}", name->text,
-                                   nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                   nearest.empty() ? fmt::format("there are {}", fmt::join(*known, ", "))
                                                    : fmt::format("did you mean '{}'?", nearest)));
     });
   }
@@ -192,7 +192,7 @@ class NoChecks : public PlacementChecks {
   }
   void check_positive(const Value&, Span, const Message&) override {}
   void check_part(const Value&, Span, const Message&) override {}
-  std::vector<std::string> materials() override { return {}; }
+  const std::vector<std::string>* materials() override { return nullptr; }
 };
 
 }  // namespace

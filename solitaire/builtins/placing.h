@@ -26,8 +26,8 @@ class PlacementChecks {
   virtual void check_positive(const Value& number, Span span, const Message& message) = 0;
   /// The program is wrong unless the number lies between 0 and 1.
   virtual void check_part(const Value& number, Span span, const Message& message) = 0;
-  /// Returns the names of the materials that there are; none where that is not to be checked.
-  virtual std::vector<std::string> materials() = 0;
+  /// Returns the names of the materials that there are; null where that is not to be checked.
+  virtual const std::vector<std::string>* materials() = 0;
 };
 
 /// Reads a placement from the arguments of a call of place(). Where they depend on choices that are left

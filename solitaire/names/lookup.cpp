@@ -45,6 +45,7 @@ constexpr ForeignName kForeignNames[] = {
     {"product", "go through the list in a loop: for x in list: total = total * x"},
 };
 
+/// Returns "" for a name that is not known.
 std::string help_for_foreign_name(std::string_view name) {
   const auto known = std::ranges::find(kForeignNames, name, &ForeignName::name);
   return known == std::end(kForeignNames) ? "" : std::string(known->help);

@@ -23,7 +23,7 @@ class Models {
   /// Returns the names of all that have one.
   virtual std::vector<std::string> names() const = 0;
   /// Returns the names of the materials that a placed thing can be made of.
-  virtual std::vector<std::string> materials() const = 0;
+  virtual const std::vector<std::string>& materials() const = 0;
 };
 
 }  // namespace solitaire
