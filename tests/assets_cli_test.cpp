@@ -3,22 +3,15 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/command.h"
+#include "tests/text.h"
 
 namespace solitaire {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 constexpr const char* kSizes = R"(
 for name in ["chair", "fridge", "plate_2x1"]: print(name, size_of(name), has_front(name));

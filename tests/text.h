@@ -1,5 +1,7 @@
 #pragma once
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace solitaire {
 
@@ -13,6 +15,14 @@ inline std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return "";
   return text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
+}
+
+/// The lines of the text, without their ends.
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace solitaire

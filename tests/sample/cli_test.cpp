@@ -5,10 +5,10 @@
 #include <csignal>
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 #include "tests/command.h"
+#include "tests/text.h"
 
 namespace solitaire {
 namespace {
@@ -20,13 +20,6 @@ constexpr const char* kCoin =
     "for i in 1..7: observe(Flip(p), true);\n"
     "for i in 1..3: observe(Flip(p), false);\n"
     "return p, [p > 0.5];\n";
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 TEST_CASE("command: the summary as JSON has every field, and is right") {
   const Workplace place;

@@ -4,7 +4,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "library/known_tile_files.h"
 #include "solitaire/names/analyze.h"
 #include "tests/command.h"
+#include "tests/text.h"
 #include "tests/tiles/enumeration.h"
 
 namespace solitaire {
@@ -40,13 +40,6 @@ Program program_of_text(const std::string& text, const std::filesystem::path& fo
   return load_program_text("map.sol", text, options, sources);
 }
 
-std::vector<std::string> lines_of_text(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 /// Runs `solve --engine tiles` and returns the values of the solutions.
 std::vector<Json> drawn(const Workplace& place, const std::string& script,
                         std::vector<std::string> more = {}) {
@@ -57,7 +50,7 @@ std::vector<Json> drawn(const Workplace& place, const std::string& script,
   CAPTURE(outcome.err);
   REQUIRE(outcome.status == 0);
   std::vector<Json> values;
-  for (const std::string& line : lines_of_text(outcome.out)) values.push_back(Json::parse(line)["value"]);
+  for (const std::string& line : lines_of(outcome.out)) values.push_back(Json::parse(line)["value"]);
   return values;
 }
 
