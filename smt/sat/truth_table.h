@@ -10,8 +10,8 @@
 
 namespace solitaire {
 
-/// Says where a condition holds that depends on one choice or two, for all of their values. Where it has no
-/// value, as after a division by zero, it does not hold.
+/// Says where a condition holds that depends on one choice or two, for all of their values. A part without a
+/// value, as after a division by zero, counts as 0 there: other conditions rule such values out.
 class TruthTable {
  public:
   TruthTable(const Graph& graph, NodeId condition, std::span<const NodeId> choices);
