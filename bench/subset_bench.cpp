@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/programs.h"
-#include "engines/solve/explore.h"
+#include "engines/solve/executions/explore.h"
 
 namespace solitaire {
 namespace {

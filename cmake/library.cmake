@@ -30,11 +30,12 @@ function(solitaire_library name)
   target_link_libraries(${name} PUBLIC solitaire_options ${ARGN})
 endfunction()
 
-# solitaire_fuzzer(NAME DEPENDENCY...): NAME.cpp of the current folder as a libFuzzer program, if those are built.
-# bin/fuzz finds it in fuzz/.
-function(solitaire_fuzzer name)
+# solitaire_fuzzer(SOURCE DEPENDENCY...): SOURCE.cpp, named from the current folder, as a libFuzzer program of the name of the
+# file, if those are built. bin/fuzz finds it in fuzz/.
+function(solitaire_fuzzer source)
   if(SOLITAIRE_FUZZ)
-    add_executable(${name} ${name}.cpp)
+    get_filename_component(name ${source} NAME)
+    add_executable(${name} ${source}.cpp)
     target_link_libraries(${name} PRIVATE solitaire_options ${ARGN} -fsanitize=fuzzer)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz)
   endif()

@@ -13,7 +13,7 @@ namespace solitaire::tuning {
 /// second.
 constexpr std::uint64_t kNamesCompared = 20'000'000;
 
-// Exploration (engines/solve/explore.h).
+// Exploration (engines/solve/executions/explore.h).
 
 /// Branch sides that a pass of the beginning may open without being asked. Judgement: most programs are
 /// covered at once, and a pass of as many sides takes well under a second.
@@ -54,7 +54,7 @@ constexpr std::size_t kMostPasses = 200;
 /// Passes that look for choices which a pin names before the pin counts as wrong. Judgement.
 constexpr std::size_t kPassesForPins = 8;
 
-// Different solutions (engines/solve/exclusion.h, series.h, symmetry.h).
+// Different solutions (engines/solve/executions/exclusion.h, series.h, symmetry.h).
 
 /// The solver is told of every known solution once more than a quarter of them, and of this number of others,
 /// came again. docs/engine.md, "Different solutions", has what a solution costs after 10, 100 and more.
@@ -83,7 +83,7 @@ constexpr std::size_t kMostCombinations = 8;
 /// Nodes that the search for symmetries looks at in all: some seconds of work.
 constexpr std::size_t kMostNodesForSymmetry = 20'000'000;
 
-// Explanations (engines/explain/, engines/solve/provenance.h, wide_choices.h).
+// Explanations (engines/explain/, engines/solve/executions/provenance.h, wide_choices.h).
 
 /// The search for what depends on choices lets them lie outside of their ranges: by this many times the span
 /// of the range, at least by kLeastReach, and at most by kMostReach, since products of larger values would

@@ -1,6 +1,6 @@
 #include <solitaire/check.h>
 
-#include "engines/solve/traced_program.h"
+#include "engines/solve/executions/traced_program.h"
 #include "library/engine_options.h"
 #include "library/program_state.h"
 #include "library/translate.h"

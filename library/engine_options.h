@@ -2,7 +2,7 @@
 #include <solitaire/options.h>
 #include <solitaire/program.h>
 
-#include "engines/solve/options.h"
+#include "engines/solve/executions/options.h"
 
 namespace solitaire::api {
 

@@ -3,7 +3,7 @@
 #include <solitaire/program.h>
 #include <vector>
 
-#include "engines/solve/pins.h"
+#include "engines/solve/pins/pins.h"
 
 namespace solitaire::api {
 

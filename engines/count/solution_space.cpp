@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "engines/errors.h"
-#include "engines/solve/auxiliary.h"
-#include "engines/solve/exclusion.h"
+#include "engines/solve/executions/auxiliary.h"
+#include "engines/solve/executions/exclusion.h"
 #include "smt/cdcl/enumerator.h"
 #include "tracegraph/cone.h"
 

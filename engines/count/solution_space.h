@@ -4,8 +4,8 @@
 #include <memory>
 #include <set>
 
-#include "engines/solve/meeting.h"
-#include "engines/solve/traced_program.h"
+#include "engines/solve/executions/meeting.h"
+#include "engines/solve/executions/traced_program.h"
 #include "smt/sat/bit_blast.h"
 #include "smt/xor/projected_models.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "engines/solve/condition_solver.h"
+#include "engines/solve/executions/condition_solver.h"
 
 namespace solitaire {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "engines/solve/wide_choices.h"
+#include "engines/solve/pins/wide_choices.h"
 #include "engines/tuning.h"
 
 namespace solitaire {

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "engines/solve/condition_solver.h"
+#include "engines/solve/executions/condition_solver.h"
 
 namespace solitaire {
 

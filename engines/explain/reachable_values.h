@@ -1,7 +1,7 @@
 #pragma once
 #include <set>
 
-#include "engines/solve/execution_solver.h"
+#include "engines/solve/executions/execution_solver.h"
 
 namespace solitaire {
 

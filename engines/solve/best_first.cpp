@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/diagnostic.h"
-#include "engines/solve/nearness.h"
-#include "engines/solve/objective.h"
+#include "engines/solve/wishes/nearness.h"
+#include "engines/solve/wishes/objective.h"
 #include "engines/tuning.h"
 
 namespace solitaire {

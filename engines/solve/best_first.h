@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/stop_signal.h"
-#include "engines/solve/execution_solver.h"
+#include "engines/solve/executions/execution_solver.h"
 
 namespace solitaire {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engines/errors.h"
-#include "engines/solve/auxiliary.h"
+#include "engines/solve/executions/auxiliary.h"
 
 namespace solitaire {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "engines/solve/execution_solver.h"
-#include "engines/solve/min_distance.h"
+#include "engines/solve/executions/execution_solver.h"
+#include "engines/solve/executions/min_distance.h"
 
 namespace solitaire {
 

@@ -1,7 +1,7 @@
 #include "engines/solve/enumeration.h"
 
-#include "engines/solve/meeting.h"
-#include "engines/solve/symmetry.h"
+#include "engines/solve/conclusions/symmetry.h"
+#include "engines/solve/executions/meeting.h"
 
 namespace solitaire {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "engines/solve/execution_solver.h"
+#include "engines/solve/executions/execution_solver.h"
 #include "smt/cdcl/enumerator.h"
 
 namespace solitaire {

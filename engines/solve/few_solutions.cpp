@@ -4,8 +4,8 @@
 
 #include "base/random.h"
 #include "engines/errors.h"
-#include "engines/solve/auxiliary.h"
 #include "engines/solve/enumeration.h"
+#include "engines/solve/executions/auxiliary.h"
 #include "engines/tuning.h"
 
 namespace solitaire {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engines/solve/traced_program.h"
+#include "engines/solve/executions/traced_program.h"
 #include "tracegraph/valuation.h"
 
 namespace solitaire {

@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "engines/resume.h"
+#include "engines/seen.h"
 #include "engines/solve/few_solutions.h"
-#include "engines/solve/seen.h"
 #include "engines/tuning.h"
 
 namespace solitaire {

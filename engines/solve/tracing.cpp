@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "engines/errors.h"
-#include "engines/solve/auxiliary.h"
-#include "engines/solve/seen.h"
+#include "engines/seen.h"
+#include "engines/solve/executions/auxiliary.h"
 #include "engines/tuning.h"
 
 namespace solitaire {

@@ -9,8 +9,8 @@
 #include "engines/solve/best_first.h"
 #include "engines/solve/distances.h"
 #include "engines/solve/enumeration.h"
-#include "engines/solve/exclusion.h"
-#include "engines/solve/traced_program.h"
+#include "engines/solve/executions/exclusion.h"
+#include "engines/solve/executions/traced_program.h"
 
 namespace solitaire {
 

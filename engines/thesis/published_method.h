@@ -1,5 +1,5 @@
 #pragma once
-#include "engines/solve/method.h"
+#include "engines/solve/executions/method.h"
 
 namespace solitaire {
 

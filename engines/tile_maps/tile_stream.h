@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engines/solution_stream.h"
-#include "engines/solve/traced_program.h"
+#include "engines/solve/executions/traced_program.h"
 #include "engines/tile_maps/derived_choices.h"
 #include "engines/tiles/model/problem.h"
 

@@ -23,7 +23,7 @@ def show_files(files):
 
 
 def generated_programs(generator, first_seed, count):
-    """(seed, files) of each generated program, by the program tests/generated_programs.cpp."""
+    """(seed, files) of each generated program, by the program tests/reference/generated_programs.cpp."""
     run = subprocess.run([generator, str(first_seed), str(count)], capture_output=True, text=True, check=True)
     for line in run.stdout.splitlines():
         program = json.loads(line)

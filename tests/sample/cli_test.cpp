@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "tests/command.h"
-#include "tests/text.h"
+#include "tests/support/command.h"
+#include "tests/support/text.h"
 
 namespace solitaire {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/command.h"
+#include "tests/support/command.h"
 
 namespace solitaire {
 namespace {

@@ -9,7 +9,7 @@
 #include <solitaire/solitaire.h>
 #include <thread>
 
-#include "tests/command.h"
+#include "tests/support/command.h"
 
 namespace solitaire::api {
 namespace {

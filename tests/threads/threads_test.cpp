@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/command.h"
+#include "tests/support/command.h"
 
 namespace solitaire {
 namespace {

@@ -11,8 +11,8 @@
 #include "engines/tile_maps/tile_stream.h"
 #include "library/known_tile_files.h"
 #include "solitaire/names/analyze.h"
-#include "tests/command.h"
-#include "tests/text.h"
+#include "tests/support/command.h"
+#include "tests/support/text.h"
 #include "tests/tiles/enumeration.h"
 
 namespace solitaire {

@@ -1,0 +1,72 @@
+// Maps of tiles as the command line makes them.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+
+#include "tests/support/command.h"
+
+namespace solitaire {
+namespace {
+
+/// A problem of two tiles that stand in any order, in which trees are shown as the model `asset`.
+std::string wood(std::string_view asset) {
+  return fmt::format(R"({{"exemplars": ["wood.txt"], "size": [6, 5],
+    "tiles": [{{"name": "tree", "char": "T", "asset": "{}"}}, {{"name": "grass", "char": ".", "height": 0.1}}]}})",
+                     asset);
+}
+
+}  // namespace
+
+TEST_CASE("tiles: maps whose tiles are models are written with their scenes, and the page shows them") {
+  const Workplace place;
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string problem = place.file("wood.tiles.json", wood("tree"));
+  const Outcome outcome = run_solitaire(
+      {"tiles", problem, "--weights", "step", "-n", "2", "--format", "txt,glb", "-o", place / "out"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.find("no model") == std::string::npos);
+  for (const char* name : {"wood-0001", "wood-0002"}) {
+    CHECK(bytes_of(place / fmt::format("out/{}.glb", name)).starts_with("glTF"));
+    CHECK(bytes_of(place / fmt::format("out/page/{}.js", name)).size() > 10'000);  // with the tree's mesh
+  }
+  CHECK(bytes_of(place / "out/wood-0001.glb").find("\"tree\"") != std::string::npos);
+}
+
+TEST_CASE("tiles: a .glb has a node for each tile, or one for all that look alike, with names or without") {
+  const Workplace place;
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string problem = place.file("wood.tiles.json", wood("tree"));
+  const auto bytes = [&](const std::string& nodes) {
+    const Outcome outcome =
+        run_solitaire({"tiles", problem, "--weights", "step", "-W", "30", "-H", "20", "--nodes", nodes,
+                       "--format", "glb", "-o", (place / nodes).string()});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return bytes_of(place / (nodes + "/wood-0001.glb"));
+  };
+  const std::string each = bytes("each"), instances = bytes("instances"), plain = bytes("plain");
+  CHECK(each.find("EXT_mesh_gpu_instancing") == std::string::npos);
+  CHECK(instances.find("EXT_mesh_gpu_instancing") != std::string::npos);
+  CHECK(instances.find("site[0][3][4]") != std::string::npos);
+  CHECK(plain.find("EXT_mesh_gpu_instancing") != std::string::npos);
+  CHECK(plain.find("site[0][3][4]") == std::string::npos);
+  const std::string chunks = bytes("chunks");
+  CHECK(chunks.find("EXT_mesh_gpu_instancing") == std::string::npos);
+  CHECK(chunks.find("grass chunk") != std::string::npos);
+  CHECK(each.size() > instances.size());
+  CHECK(instances.size() > plain.size() + 20'000);
+}
+
+TEST_CASE("tiles: a model that there is not is told at the end") {
+  const Workplace place;
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string problem = place.file("wood.tiles.json", wood("treee"));
+  const Outcome outcome =
+      run_solitaire({"tiles", problem, "--weights", "step", "--format", "glb", "-o", place / "out"});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.find("treee (did you mean tree?): no model is called so") != std::string::npos);
+}
+
+}  // namespace solitaire
