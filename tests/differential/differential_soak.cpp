@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,12 @@ namespace {
 using namespace solitaire;
 using Clock = std::chrono::steady_clock;
 
-/// "demand: missed the solution", without what names and numbers change.
+/// "step limit of" or "demand: missed the solution": without the place of an error, and what names and
+/// numbers change.
 std::string kind_of_failure(const std::string& report) {
-  return report.substr(0, report.find_first_of("0123456789\"=->", report.find(':') + 1));
+  static const std::regex kPlace(R"(^\S+:\d+:\d+: )");
+  const std::string what = std::regex_replace(report, kPlace, "");
+  return what.substr(0, what.find_first_of("0123456789\"=->", what.find(':') + 1));
 }
 
 SourceText read_file(const std::filesystem::path& path) {
