@@ -104,10 +104,10 @@ MapLook look_of(const tiles::Job& job, const Options& options, const std::string
 }
 
 /// Writes the map that is delivered, in the format that the file's name says.
-void write_map(const tiles::Job& job, const Options& options, const MapLook& look, const fs::path& file) {
+void write_map(const tiles::Job& job, const Options& options, MapLook& look, const fs::path& file) {
   const std::string format = file.extension().string().substr(1);
   if (format == "glb") {
-    write_glb(*look.scene, file, look.nodes);
+    look.glb = write_glb(*look.scene, file, look.nodes);
   } else if (format == "png") {
     write_file_atomically(file, look.png);
   } else {
@@ -144,7 +144,7 @@ ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog
   const tiles::JobEnding ending = job.run([&](std::uint64_t number) {
     const auto lock = watchdog.delivering();
     const std::string name = name_of_map(*options.tiles, number);
-    const MapLook look = look_of(job, options, name, assets);
+    MapLook look = look_of(job, options, name, assets);
     for (const std::string& format : options.tiles->formats)
       write_map(job, options, look, options.output / fmt::format("{}.{}", name, format));
     page.add(number, look);

@@ -21,7 +21,7 @@ void add_map_options(CLI::App& command, tiles::JobOptions& options) {
       .add_option(
           "--pin", options.pins,
           "fix a site, or a box of sites: X,Y=TILE or X,Y:X,Y=TILE|TILE, counted from 0 at the left and "
-          "the top; can be given several times")
+          "the top, or from -1 at the right and the bottom; can be given several times")
       ->allow_extra_args(false)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -72,7 +72,8 @@ void TilesPage::add(std::uint64_t number, const MapLook& look) {
   // What has no names cannot be clicked at.
   const SolutionFiles files =
       look.scene && (look.nodes == Nodes::kOneEach || look.nodes == Nodes::kInstances)
-          ? page_.add(entry.name, &*look.scene, glb_bytes(*look.scene, look.nodes), text_of(about))
+          ? page_.add(entry.name, &*look.scene,
+                      look.glb.empty() ? glb_bytes(*look.scene, look.nodes) : look.glb, text_of(about))
           : page_.add(entry.name, nullptr, "", text_of(about));
   if (!has_format("png")) write_file_atomically(options_.output / entry.picture, look.png);
   if (look.tiles.size() <= kMostCompared) entry.choices = look.tiles.size();

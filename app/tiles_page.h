@@ -21,6 +21,7 @@ struct MapLook {
   std::string png;
   std::optional<Scene> scene;
   Nodes nodes = Nodes::kOneEach;  // of the scene's .glb
+  std::string glb = "";           // its bytes, once its file is written
 };
 
 /// The page of a run's maps. It shows each as a picture, and in 3D those that have models or layers, and

@@ -9,6 +9,7 @@
 #include "engines/tiles/job/job.h"
 #include "engines/tiles/model/picture.h"
 #include "engines/tiles/read/lenient_json.h"
+#include "engines/tiles/request/read_style.h"
 #include "engines/tiles/request/request_error.h"
 #include "engines/tiles/write/png.h"
 #include "tests/tiles/folder.h"
@@ -137,6 +138,7 @@ TEST_CASE("DeBroglie: what a configuration asks for is what the request says") {
     {"type": "separation", "tiles": [1], "minDistance": 5}, {"type": "mirrorY"},
     {"type": "pairSeparation", "tiles1": [1], "tiles2": [2], "minDistance": 4},
     {"type": "acyclic", "pathSpec": {"type": "path", "tiles": [1]}},
+    {"type": "loop", "pathSpec": {"type": "edged", "exits": {"2": ["x+", "x-"]}}},
     {"type": "count", "tiles": [1], "comparison": "exactly", "count": 2, "eager": false},
     {"type": "fixedTile", "tile": 9}])");
   REQUIRE(rules.paths.size() == 1);
@@ -149,11 +151,55 @@ TEST_CASE("DeBroglie: what a configuration asks for is what the request says") {
   CHECK(rules.distances[0].least == 5);
   CHECK(rules.distances[1].others == std::vector<std::string>{"2"});
   CHECK(rules.acyclic.size() == 1);
+  REQUIRE(rules.loops.size() == 1);
+  CHECK(rules.loops[0].open.front().first == "2");
   CHECK((rules.counts[0].least == 2 && rules.counts[0].most == 2));
   CHECK((rules.counts[1].least == 1 && rules.counts[1].tiles == std::vector<std::string>{"9"}));
   CHECK(rules.notes.size() == 1);
   CHECK(rules.mirror->axis == 1);
   CHECK(rules.mirror->by_look);
+}
+
+TEST_CASE("DeBroglie: tiles whose pictures match at their sides are adjacent") {
+  const Samples samples;
+  // A pipe from left to right and an end of it, on white; the end is turned.
+  Picture across(3, 3, kWhite), end(3, 3, kWhite), pale(3, 3, {253, 253, 253, 255});
+  for (int x = 0; x < 3; ++x) across.at(x, 1) = kBlue;
+  for (int x = 1; x < 3; ++x) end.at(x, 1) = kBlue;
+  samples.write("across.png", write_png(across));
+  samples.write("end.png", write_png(end));
+  samples.write("pale.png", write_png(pale));
+  const auto map = [&](const std::string& members) {
+    return samples
+        .maps(
+            R"({"width": 9, "height": 1, "symmetry": 4, "reflectionalSymmetry": false, "rotationTreatment": "generated",
+      "autoAdjacency": true, "tiles": [{"value": "-", "src": "across.png", "tileSymmetry": "I"},
+      {"value": "e", "src": "end.png", "tileSymmetry": "T"}, {"value": "p", "src": "pale.png", "tileSymmetry": "X"}],
+      "constraints": [{"type": "fixedTile", "tile": "e", "point": {"x": 2, "y": 0}},
+        {"type": "count", "tiles": ["p"], "comparison": "atMost", "count": 9}])" +
+            members + "}")
+        .front();
+  };
+  CHECK(map("").size() > 9);
+  const auto pairs = [&](const std::string& members) {
+    const Request request = parse_debroglie(
+        samples.path() / "c.json", R"({"autoAdjacency": true, "tiles": [{"value": "-", "src": "across.png"},
+      {"value": "e", "src": "end.png"}, {"value": "p", "src": "pale.png"}])" +
+                                       members + "}");
+    const std::shared_ptr<Style> style = read_style(request);
+    std::set<std::string> found;
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 3; ++b) {
+        const auto first = static_cast<Tile>(a), second = static_cast<Tile>(b);
+        if (style->pairs[0].allowed(0, first, second))
+          found.insert(style->tileset[first].name + style->tileset[second].name);
+      }
+    }
+    return found;
+  };
+  CHECK(pairs("") == std::set<std::string>{"--", "e-", "pp"});
+  CHECK(pairs(R"(, "autoAdjacencyTolerance": 0.01)") == std::set<std::string>{"--", "e-", "pp", "pe"});
+  CHECK(pairs(R"(, "autoAdjacencyTolerance": 1)").size() == 9);
 }
 
 TEST_CASE("DeBroglie: what has no meaning here is told with its place") {
@@ -162,9 +208,10 @@ TEST_CASE("DeBroglie: what has no meaning here is told with its place") {
     return samples.error(R"({"src": "way.png", "width": 6, "height": 6, )" + members + "}");
   };
   CHECK(error(R"("widht": 4)") == "c.json: there is no member 'widht'; did you mean 'width'?");
-  CHECK(error(R"("autoAdjacency": true)").find("there is no member 'autoAdjacency'") != std::string::npos);
-  CHECK(error(R"("constraints": [{"type": "loop"}])")
-            .find("'constraints[0].type' is 'loop', which is not read") != std::string::npos);
+  CHECK(error(R"("autoAdjacency": true)").find("'autoAdjacency' needs 'tiles' with a 'src'") !=
+        std::string::npos);
+  CHECK(error(R"("constraints": [{"type": "parity"}])")
+            .find("'constraints[0].type' is 'parity', which is not read") != std::string::npos);
   CHECK(error(R"("constraints": [{"type": "border", "tile": "#ffffff", "sides": "north"}])")
             .find("has the side 'north'") != std::string::npos);
   CHECK(error(R"("constraints": [{"type": "fixedTile", "tile": "#ffffff", "point": {"x": 6, "y": 0}}])") ==

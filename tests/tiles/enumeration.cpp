@@ -1,7 +1,5 @@
 #include "tests/tiles/enumeration.h"
 
-#include <cmath>
-
 namespace solitaire::tiles {
 
 Enumeration::Enumeration(const Problem& problem) : problem_(problem) {
@@ -88,6 +86,19 @@ double Enumeration::deviations() const {
   const auto [sum, degrees] = fit();
   const double part = 2.0 / (9 * static_cast<double>(degrees));
   return (std::cbrt(sum / static_cast<double>(degrees)) - (1 - part)) / std::sqrt(part);
+}
+
+double Enumeration::score_deviations() const {
+  double expected = 0, square = 0, sum = 0;
+  for (const auto& [tiles, probability] : probability_) {
+    const double score = std::log(probability);
+    expected += probability * score;
+    square += probability * score * score;
+    const auto found = drawn_.find(tiles);
+    if (found != drawn_.end()) sum += score * static_cast<double>(found->second);
+  }
+  const auto draws = static_cast<double>(draws_);
+  return (sum / draws - expected) / std::sqrt((square - expected * expected) / draws);
 }
 
 }  // namespace solitaire::tiles

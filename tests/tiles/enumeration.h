@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -23,6 +24,11 @@ class Enumeration {
   /// Returns how many standard deviations Pearson's chi squared is above what is expected of draws from the
   /// distribution: its cube root is nearly normal (Wilson and Hilferty 1931).
   double deviations() const;
+  /// Returns how many standard deviations of independent draws the mean logarithm of their probabilities is
+  /// from its expectation. A wrong weight shows here first: all maps together measure it.
+  double score_deviations() const;
+  /// Returns the logarithm of the probability of one of the maps.
+  double score(const Grid& map) const { return std::log(probability_.at(key(map))); }
   /// Returns how many draws were no map of the problem.
   std::size_t strangers() const { return strangers_; }
 

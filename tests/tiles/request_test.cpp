@@ -1,4 +1,5 @@
 // What a problem file and the options say, as maps show it.
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <filesystem>
 #include <fstream>
@@ -114,6 +115,66 @@ TEST_CASE("a mask says what of a map is made anew") {
     }
   }
   CHECK(made.size() > 3);
+}
+
+TEST_CASE("pins count from either side and repeat as often as they fit, in maps of any size") {
+  const RequestFolder folder;
+  folder.write("any.txt", "..#.\n.##.\n#..#\n");
+  const std::string head = R"({"exemplars": ["any.txt"], "weights": "step", "size": [7, 6], "pins": [)";
+  const auto map_with = [&](const std::string& pin) {
+    return maps_of(folder.options(head + pin + "]}")).front();
+  };
+  const std::string corner = map_with(R"({"at": [-2, -1], "size": [2, 1], "tiles": ["#"]},
+    {"at": [-7, -6], "tiles": ["."]}, {"at": [0, -1], "tiles": ["."]})");
+  CHECK(corner.ends_with("##\n"));
+  CHECK(corner.starts_with("."));
+  CHECK(corner[5 * 8] == '.');
+
+  JobOptions options = folder.options(head + R"({"at": [1, 2], "every": [3, 0], "tiles": ["#"]},
+    {"at": [0, 2], "every": [3, 3], "tiles": ["."]}]})");
+  for (const int width : {4, 7, 8}) {
+    options.width = width;
+    const std::string map = maps_of(options).front();
+    for (int x = 0; x < width; ++x) {
+      const auto at = [&](int y) { return map[static_cast<std::size_t>(y * (width + 1) + x)]; };
+      if (x % 3 == 1) CHECK(at(2) == '#');
+      if (x % 3 == 0) CHECK(std::string{at(2), at(5)} == "..");
+    }
+  }
+  options.width = 7;
+  options.pins = {"-1,0=#", "-3,-2:-2,-1=."};
+  const std::string by_option = maps_of(options).front();
+  CHECK(by_option[6] == '#');
+  CHECK(by_option.substr(4 * 8 + 4, 2) + by_option.substr(5 * 8 + 4, 2) == "....");
+
+  const std::string lower = map_with(R"({"at": [0, 0], "to": [-1, -3], "tiles": ["."]})");
+  CHECK(lower.starts_with(".......\n.......\n.......\n.......\n"));
+  CHECK(lower.find('#') != std::string::npos);
+
+  const auto refused = [&](const std::string& pin) { return error_of(folder.options(head + pin + "]}")); };
+  for (const char* outside : {"[7, 0]", "[0, -7]", "[-8, 0]"}) {
+    CHECK(refused(std::string(R"({"at": )") + outside + R"(, "tiles": ["."]})")
+              .find("repeats a pin as often") != std::string::npos);
+  }
+  CHECK(refused(R"({"at": [0, 0], "size": [3, 1], "every": [2, 0], "tiles": ["."]})")
+            .find("'every' is smaller") != std::string::npos);
+}
+
+TEST_CASE("counts can be shares of a map of any size") {
+  const RequestFolder folder;
+  folder.write("any.txt", "..#.\n.##.\n#..#\n");
+  JobOptions options = folder.options(R"({"exemplars": ["any.txt"], "weights": "step",
+    "counts": [{"tiles": ["#"], "least_share": 0.7, "most_share": 0.72}]})");
+  for (const int side : {5, 10, 14}) {
+    options.width = options.height = side;
+    const std::string map = maps_of(options).front();
+    const auto share = static_cast<double>(std::ranges::count(map, '#')) / (side * side);
+    CHECK(share >= 0.7);
+    CHECK(share <= 0.72);
+  }
+  options.width = options.height = 3;
+  CHECK(error_of(options).find("at least 7 of '#' are asked for, and there can be at most 6") !=
+        std::string::npos);
 }
 
 TEST_CASE("zones that are drawn anew say what each square of sites is made of") {

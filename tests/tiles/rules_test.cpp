@@ -1,10 +1,17 @@
+#include <algorithm>
 #include <doctest/doctest.h>
+#include <initializer_list>
 #include <set>
 
+#include "base/random.h"
 #include "engines/tiles/model/mirror.h"
+#include "engines/tiles/rules/components.h"
+#include "engines/tiles/rules/connected.h"
 #include "engines/tiles/rules/distance.h"
 #include "engines/tiles/rules/longest_run.h"
+#include "engines/tiles/rules/loops.h"
 #include "engines/tiles/rules/path.h"
+#include "engines/tiles/rules/tile_count.h"
 #include "engines/tiles/sample/sampler.h"
 #include "tests/tiles/drawn_maps.h"
 #include "tests/tiles/enumeration.h"
@@ -52,6 +59,98 @@ TEST_CASE("a path costs a step for each place where the way is closed") {
   CHECK(violation("_.__\n....\n", {3, 0, 0}) == 2);
   CHECK(violation("_|__\n....\n", {3, 0, 0}) == 2);  // the bar is open up and down only
   CHECK(violation("_\n|\n_\n", {0, 2, 0}) == 0);
+}
+
+/// Returns how many networks the passable sites form, without one site or the link between two.
+std::size_t networks_without(const Topology& topology, const std::vector<Sides>& open, const Grid& map,
+                             std::size_t site, std::size_t from = SIZE_MAX, std::size_t to = SIZE_MAX) {
+  Components components(map.tiles.size());
+  std::size_t count = 0;
+  for (std::size_t each = 0; each < map.tiles.size(); ++each) {
+    if (each == site || open[map[each]] == 0) continue;
+    ++count;
+    for_each_linked(topology, open, map, each, [&](std::size_t next) {
+      const bool is_left_out = (each == from && next == to) || (each == to && next == from);
+      if (next < each && next != site && !is_left_out && components.join(each, next)) --count;
+    });
+  }
+  return count;
+}
+
+TEST_CASE("networks hang on the sites and links without which they fall apart") {
+  const auto style = style_of("#_|.\n");
+  const std::vector<Sides> open{0, kAllSides, static_cast<Sides>(side(1, 1) | side(1, -1)),
+                                static_cast<Sides>(side(0, 1) | side(0, -1) | side(1, -1))};
+  const auto violation = [&](const char* text) {
+    const Grid map = read_text("m", text, style->tileset, false);
+    return Loops({map.size, {}}, open, "").violation(map);
+  };
+  CHECK(violation("__\n__\n") == 0);
+  CHECK(violation("_#_\n") == 0);            // each of them alone
+  CHECK(violation("#__\n") == 1);            // the link
+  CHECK(violation("___\n") == 3);            // both links, and the site between
+  CHECK(violation("__#\n___\n#__\n") == 1);  // two loops that share a site
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    RandomStream random(seed, Purpose::kTiles, 0);
+    const Topology topology{
+        {{3 + static_cast<int>(random.below(5)), 3 + static_cast<int>(random.below(4)), 1}},
+        {seed % 2 == 1, seed % 3 == 2, false}};
+    Grid map(topology.size);
+    for (Tile& tile : map.tiles) tile = static_cast<Tile>(random.below(5) % 4);
+    std::uint64_t expected = 0;
+    const std::size_t all = networks_without(topology, open, map, SIZE_MAX);
+    for (std::size_t site = 0; site < map.tiles.size(); ++site) {
+      if (open[map[site]] == 0) continue;
+      bool is_alone = true;
+      for_each_linked(topology, open, map, site, [&](std::size_t next) {
+        is_alone = false;
+        if (next < site && networks_without(topology, open, map, SIZE_MAX, site, next) > all) ++expected;
+      });
+      if (!is_alone && networks_without(topology, open, map, site) > all) ++expected;
+    }
+    REQUIRE(Loops(topology, open, "").violation(map) == expected);
+  }
+}
+
+TEST_CASE("what follows a map through changes finds what the whole map shows") {
+  const auto style = style_of("#_|.\n");
+  const std::vector<Sides> open{0, kAllSides, static_cast<Sides>(side(1, 1) | side(1, -1)),
+                                static_cast<Sides>(side(0, 1) | side(0, -1) | side(1, -1))};
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    RandomStream random(seed, Purpose::kTiles, 0);
+    const auto below = [&](int limit) {
+      return static_cast<int>(random.below(static_cast<std::uint64_t>(limit)));
+    };
+    const Topology topology{{{2 + below(11), 1 + below(9), 1}}, {seed % 2 == 1, seed % 3 == 2, false}};
+    Grid map(topology.size);
+    const int rock = below(5);  // the more of it, the more networks
+    const auto tile = [&] { return static_cast<Tile>(std::max(0, below(4 + rock) - rock)); };
+    for (Tile& each : map.tiles) each = tile();
+    const Connected connected(topology, open, "");
+    const TileCount count(TileMask::of(1) | TileMask::of(3), 9, 14, "");
+    const LongestRun run(TileMask::of(1), {0, 1}, 2, "");
+    for (const GlobalRule* rule : std::initializer_list<const GlobalRule*>{&connected, &count, &run}) {
+      const auto watch = rule->watch(map);
+      for (int change = 0; change < 150; ++change) {
+        std::vector<std::uint32_t> sites;
+        std::vector<Tile> before;
+        const Point from{below(topology.size.width()), below(topology.size.height()), 0};
+        for (int y = from[1]; y < std::min(from[1] + 3, topology.size.height()); ++y) {
+          for (int x = from[0]; x < std::min(from[0] + 4, topology.size.width()); ++x) {
+            sites.push_back(static_cast<std::uint32_t>(topology.size.site({x, y, 0})));
+            before.push_back(map[sites.back()]);
+            if (random.below(3) > 0) map[sites.back()] = tile();
+          }
+        }
+        REQUIRE(watch->after(map, {sites, before}) == rule->violation(map));
+        if (random.below(2) == 0) {
+          watch->keep();
+        } else {
+          for (std::size_t i = 0; i < sites.size(); ++i) map[sites[i]] = before[i];
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("maps with a path, without long runs and with distances come as often as enumeration says") {

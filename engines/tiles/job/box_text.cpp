@@ -17,7 +17,8 @@ bool parse_point(const std::string& text, Point& point) {
   for (std::size_t axis = 0; axis < parts.size(); ++axis) {
     const char* const end = parts[axis].data() + parts[axis].size();
     const auto [stop, error] = std::from_chars(parts[axis].data(), end, point[axis]);
-    if (error != std::errc{} || stop != end || point[axis] < 0 || point[axis] > kMostExtent) return false;
+    const bool is_far = point[axis] < -kMostExtent || point[axis] > kMostExtent;
+    if (error != std::errc{} || stop != end || is_far) return false;
   }
   return true;
 }
@@ -43,8 +44,8 @@ PinEntry parse_box(const std::string& text) {
   box.to = box.from;
   if (colon != std::string::npos) fits = parse_point(text.substr(colon + 1), box.to) && fits;
   if (!fits) {
-    throw RequestError(fmt::format(
-        "'{}' is no place of a map; write X,Y or X,Y:X,Y with whole numbers from 0, as 3,4", text));
+    throw RequestError(
+        fmt::format("'{}' is no place of a map; write X,Y or X,Y:X,Y with whole numbers, as 3,4", text));
   }
   for (int& end : box.to) ++end;
   return box;

@@ -21,6 +21,7 @@
 #include "engines/tiles/request/build.h"
 #include "engines/tiles/request/read_inputs.h"
 #include "engines/tiles/request/read_style.h"
+#include "engines/tiles/request/site_rules.h"
 #include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/json.h"
 #include "engines/tiles/write/png.h"
@@ -75,7 +76,7 @@ std::vector<bool> redone_sites(const std::string& redo, const Size& size) {
     });
     return redone;
   }
-  const PinEntry box = parse_box(redo);
+  const PinEntry box = counted_in(size, parse_box(redo));
   for_each_point(size, [&](const Point& at) {
     redone.push_back(at[0] >= box.from[0] && at[0] < box.to[0] && at[1] >= box.from[1] && at[1] < box.to[1]);
   });

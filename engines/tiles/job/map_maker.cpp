@@ -33,7 +33,7 @@ void add_weights(const Request& request, const SamplerOptions& sampling, Style& 
 void require_endless(const Request& request, const SamplerOptions& options) {
   const bool whole = !request.pins.empty() || !request.pin_maps.empty() || !request.borders.empty() ||
                      request.zones || request.districts || !request.connected.empty() ||
-                     !request.acyclic.empty() || !request.counts.empty() || !request.runs.empty() ||
+                     !request.acyclic.empty() || !request.loops.empty() || !request.counts.empty() || !request.runs.empty() ||
                      !request.distances.empty() || !request.paths.empty() || !request.keys.empty() ||
                      request.mirror || request.size[2] > 1 || request.periodic[0] || request.periodic[1] ||
                      request.periodic[2];

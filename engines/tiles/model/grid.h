@@ -42,6 +42,11 @@ struct Size {
     const auto w = static_cast<std::size_t>(extent[0]), h = static_cast<std::size_t>(extent[1]);
     return {static_cast<int>(site % w), static_cast<int>(site / w % h), static_cast<int>(site / w / h)};
   }
+  /// Returns a place of which numbers below 0 are counted from the far side: -1 is the last one.
+  Point counted(Point at) const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) at[axis] += at[axis] < 0 ? extent[axis] : 0;
+    return at;
+  }
   friend bool operator==(const Size&, const Size&) = default;
 };
 

@@ -290,6 +290,13 @@ class DebroglieReader {
   }
 
   void read_adjacencies() {
+    const double tolerance =
+        file_.has("autoAdjacencyTolerance") ? file_.real("autoAdjacencyTolerance", 0, 1) : 0;
+    if (file_.flag("autoAdjacency")) {
+      if (request_.tiles.empty())
+        file_.fail("autoAdjacency", "needs 'tiles' with a 'src' each, whose sides are compared");
+      request_.icon_tolerance = tolerance;
+    }
     for (JsonObject& each : file_.objects("adjacencies")) {
       AdjacencyEntry entry;
       const bool layers = each.has("above") || each.has("below"), down = each.has("up") || each.has("down");

@@ -97,7 +97,7 @@ void add_path(JsonObject& object, const std::string& type, const DebroglieMap& m
   connect(std::move(network), points_of(object, "endPoints", map), request);
 }
 
-/// Adds "connected" and "acyclic", whose path is described by a part of its own.
+/// Adds "connected", "acyclic" and "loop", whose path is described by a part of its own.
 void add_by_spec(JsonObject& object, const std::string& type, const DebroglieMap& map, Request& request) {
   JsonObject spec(object.file(), object.at("pathSpec"), object.way("pathSpec"));
   const std::string kind = spec.text("type");
@@ -106,6 +106,8 @@ void add_by_spec(JsonObject& object, const std::string& type, const DebroglieMap
   spec.require_no_more();
   if (type == "acyclic") {
     request.acyclic.push_back(std::move(network));
+  } else if (type == "loop") {
+    request.loops.push_back(std::move(network));
   } else {
     connect(std::move(network), cells, request);
   }
@@ -211,7 +213,7 @@ void add_debroglie_constraint(JsonObject& object, const DebroglieMap& map, Reque
   const std::string type = object.text("type");
   if (type == "path" || type == "edgedPath") {
     add_path(object, type, map, request);
-  } else if (type == "connected" || type == "acyclic") {
+  } else if (type == "connected" || type == "acyclic" || type == "loop") {
     add_by_spec(object, type, map, request);
   } else if (type == "border") {
     add_border(object, map, request);
@@ -230,9 +232,10 @@ void add_debroglie_constraint(JsonObject& object, const DebroglieMap& map, Reque
   } else {
     object.fail(
         "type",
-        fmt::format("is '{}', which is not read; path, edgedPath, connected, acyclic, border, fixedTile, "
-                    "maxConsecutive, mirrorX, mirrorY, count, separation and pairSeparation are",
-                    type));
+        fmt::format(
+            "is '{}', which is not read; path, edgedPath, connected, acyclic, loop, border, fixedTile, "
+            "maxConsecutive, mirrorX, mirrorY, count, separation and pairSeparation are",
+            type));
   }
   object.has("comment");
   object.require_no_more();

@@ -1,6 +1,7 @@
 #include "engines/tiles/request/global_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "engines/tiles/request/names.h"
@@ -11,6 +12,7 @@
 #include "engines/tiles/rules/distance.h"
 #include "engines/tiles/rules/keys.h"
 #include "engines/tiles/rules/longest_run.h"
+#include "engines/tiles/rules/loops.h"
 #include "engines/tiles/rules/path.h"
 #include "engines/tiles/rules/tile_count.h"
 
@@ -77,10 +79,16 @@ std::shared_ptr<const GlobalRule> acyclic_rule(const ConnectedEntry& entry, cons
                                    fmt::format("no way over {} leads round", members_of(entry)));
 }
 
-std::size_t site_of(const Point& at, const Size& size, const char* what) {
+std::shared_ptr<const GlobalRule> loops_rule(const ConnectedEntry& entry, const Problem& problem) {
+  return std::make_shared<Loops>(problem.topology(), open_sides(entry, problem.style().tileset),
+                                 fmt::format("two ways over {} lead everywhere", members_of(entry)));
+}
+
+std::size_t site_of(const Point& said, const Size& size, const char* what) {
+  const Point at = size.counted(said);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (at[axis] >= size.extent[axis]) {
-      throw RequestError(fmt::format("{} at ({},{}) is outside of the map of {}x{}", what, at[0], at[1],
+    if (at[axis] < 0 || at[axis] >= size.extent[axis]) {
+      throw RequestError(fmt::format("{} at ({},{}) is outside of the map of {}x{}", what, said[0], said[1],
                                      size.width(), size.height()));
     }
   }
@@ -133,15 +141,18 @@ std::shared_ptr<const GlobalRule> distance_rule(const DistanceEntry& entry, cons
 }
 
 std::shared_ptr<const GlobalRule> count_rule(const CountEntry& entry, const Problem& problem) {
-  const std::uint64_t possible = std::min<std::uint64_t>(entry.most, problem.size().volume());
-  if (entry.least > possible) {
-    throw RequestError(fmt::format("at least {} of {} are asked for, and there can be at most {}",
-                                   entry.least, quoted(entry.tiles), possible));
+  const auto sites = static_cast<double>(problem.size().volume());
+  const auto least =
+      std::max(entry.least, static_cast<std::uint64_t>(std::ceil(sites * entry.least_share - 1e-9)));
+  const auto most = std::min(entry.most, static_cast<std::uint64_t>(std::floor(sites * entry.most_share)));
+  if (least > most) {
+    throw RequestError(fmt::format("at least {} of {} are asked for, and there can be at most {}", least,
+                                   quoted(entry.tiles), most));
   }
-  const std::string most = entry.most == UINT64_MAX ? "any number" : std::to_string(entry.most);
+  const std::string end = most == problem.size().volume() ? "any number" : std::to_string(most);
   return std::make_shared<TileCount>(
-      tile_set(problem.style().tileset, entry.tiles), entry.least, entry.most,
-      fmt::format("there are {} to {} of {}", entry.least, most, quoted(entry.tiles)));
+      tile_set(problem.style().tileset, entry.tiles), least, most,
+      fmt::format("there are {} to {} of {}", least, end, quoted(entry.tiles)));
 }
 
 /// Adds a rule for each entry. `make` makes it of an entry and the problem.
@@ -156,6 +167,7 @@ void add_each(const std::vector<Entry>& entries, Problem& problem, Make make) {
 void add_global_rules(const Request& request, Problem& problem) {
   add_each(request.connected, problem, connected_rule);
   add_each(request.acyclic, problem, acyclic_rule);
+  add_each(request.loops, problem, loops_rule);
   add_each(request.runs, problem, run_rule);
   add_each(request.distances, problem, distance_rule);
   add_each(request.paths, problem, path_rule);

@@ -10,6 +10,7 @@
 #include "engines/tiles/learn/patterns.h"
 #include "engines/tiles/read/exemplar.h"
 #include "engines/tiles/request/listed_tiles.h"
+#include "engines/tiles/request/matching_icons.h"
 #include "engines/tiles/request/names.h"
 #include "engines/tiles/request/orientations.h"
 #include "engines/tiles/request/request_error.h"
@@ -35,7 +36,7 @@ void choose_pairs(const Request& request, Style& style) {
     if (!(kind.gid ? wang_sets : labels)) kind.edges = {};
     any = any || is_labelled(kind);
   }
-  any = any || !request.adjacencies.empty();
+  any = any || !request.adjacencies.empty() || request.icon_tolerance;
   if (any || (style.learns_from_exemplars && !style.exemplars.empty())) return;
   throw RequestError("there is no exemplar to learn from, and no tile has edges");
 }
@@ -110,6 +111,7 @@ std::shared_ptr<Style> read_style(const Request& request) {
   for (const ExemplarEntry& entry : request.exemplars) read_exemplar_of(request, entry, *style);
   add_remarks(request, style->tileset);
   add_adjacencies(request, *style);
+  if (request.icon_tolerance) add_pairs_of_matching_icons(*request.icon_tolerance, *style);
   add_orientations(request, *style);
   choose_pairs(request, *style);
   learn_pairs(*style);

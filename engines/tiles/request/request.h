@@ -57,11 +57,13 @@ struct ExemplarEntry {
   std::string empty = "";              // the tile that its holes are; else nothing is learned of them
 };
 
-/// Sites from `from` to before `to` that may only have these tiles.
+/// Sites from `from` to before `to` that may only have these tiles. Places below 0 are counted from the far
+/// side of the map.
 struct PinEntry {
   Point from{}, to{};
   std::vector<std::string> tiles;
   std::string where = "";
+  Point every{};  // sites along each axis after which the box is repeated while it fits; 0: it is not
 };
 
 /// The tiles that may be on some sides of the map.
@@ -95,6 +97,7 @@ struct CountEntry {
   std::vector<std::string> tiles;
   std::uint64_t least = 0, most = UINT64_MAX;
   std::string where = "";
+  double least_share = 0, most_share = 1;  // of all sites
 };
 
 /// The longest run of these tiles along an axis, or along all.
@@ -171,6 +174,7 @@ struct Request {
   UnknownImages unknown_images = UnknownImages::kByLook;
   std::vector<RemarkEntry> remarks;
   std::vector<AdjacencyEntry> adjacencies;
+  std::optional<double> icon_tolerance;  // tiles may be beside each other whose icons differ by no more there
   Point size{20, 20, 1};
   std::array<bool, kAxes> periodic{};
   std::vector<Size> shapes;  // of soft factors; empty: those for the kind of weights
@@ -185,6 +189,7 @@ struct Request {
   std::optional<DistrictsEntry> districts;
   std::vector<ConnectedEntry> connected;
   std::vector<ConnectedEntry> acyclic;  // networks without a way round
+  std::vector<ConnectedEntry> loops;    // networks in which two ways lead everywhere
   std::vector<CountEntry> counts;
   std::vector<RunEntry> runs;
   std::vector<DistanceEntry> distances;

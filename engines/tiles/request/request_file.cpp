@@ -50,6 +50,7 @@ class RequestReader {
     for (JsonObject& each : file.objects("borders")) read_border(each);
     for (JsonObject& each : file.objects("connected")) read_connected(each);
     for (JsonObject& each : file.objects("acyclic")) read_acyclic(each);
+    for (JsonObject& each : file.objects("loops")) read_loops(each);
     for (JsonObject& each : file.objects("adjacencies")) read_adjacency(each);
     for (JsonObject& each : file.objects("counts")) read_count(each);
     for (JsonObject& each : file.objects("runs")) read_run(each);
@@ -128,6 +129,11 @@ class RequestReader {
     return point;
   }
 
+  /// Reads a place of the map; numbers below 0 count from its far side.
+  static Point place_of(JsonObject& object, const char* member) {
+    return point_of(object.numbers(member, -(1 << 20), 2, 3), 0);
+  }
+
   static std::size_t axis_of(JsonObject& object, const char* member, const std::string& letter) {
     const std::size_t axis = std::string("xyz").find(letter);
     if (letter.size() != 1 || axis == std::string::npos) {
@@ -196,9 +202,14 @@ class RequestReader {
 
   void read_pin(JsonObject& object) {
     PinEntry pin;
-    pin.from = point_of(object.numbers("at", 0, 2, 3), 0);
+    pin.from = place_of(object, "at");
+    const bool has_end = object.has("to");
     const Point size = object.has("size") ? point_of(object.numbers("size", 1, 2, 3), 1) : Point{1, 1, 1};
-    for (std::size_t axis = 0; axis < kAxes; ++axis) pin.to[axis] = pin.from[axis] + size[axis];
+    const Point last = has_end ? place_of(object, "to") : Point{};
+    if (has_end && object.has("size")) object.fail("to", "says what 'size' says; one of both is read");
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      pin.to[axis] = has_end ? last[axis] + 1 : pin.from[axis] + size[axis];
+    if (object.has("every")) pin.every = point_of(object.numbers("every", 0, 2, 3), 0);
     pin.tiles = object.texts("tiles");
     pin.where = object.where();
     object.require_no_more();
@@ -249,6 +260,11 @@ class RequestReader {
     object.require_no_more();
   }
 
+  void read_loops(JsonObject& object) {
+    request_.loops.push_back(network_of(object));
+    object.require_no_more();
+  }
+
   /// {"left", "right"}, {"top", "bottom"} or {"below", "above"}: any of the one list before any of the other.
   void read_adjacency(JsonObject& object) {
     static constexpr std::array<std::array<const char*, 2>, kAxes> kSides{
@@ -286,8 +302,8 @@ class RequestReader {
 
   void read_path(JsonObject& object) {
     PathEntry path;
-    path.from = point_of(object.numbers("from", 0, 2, 3), 0);
-    path.to = point_of(object.numbers("to", 0, 2, 3), 0);
+    path.from = place_of(object, "from");
+    path.to = place_of(object, "to");
     path.over = network_of(object);
     path.where = object.where();
     object.require_no_more();
@@ -296,7 +312,7 @@ class RequestReader {
 
   void read_keys(JsonObject& object) {
     KeysEntry keys;
-    keys.from = point_of(object.numbers("from", 0, 2, 3), 0);
+    keys.from = place_of(object, "from");
     keys.over = network_of(object);
     keys.doors = pairs_of_texts(object, "doors", "doors and their keys");
     keys.where = object.where();
@@ -319,6 +335,8 @@ class RequestReader {
     entry.tiles = object.texts("tiles");
     if (object.has("least")) entry.least = static_cast<std::uint64_t>(object.number("least", 0, INT64_MAX));
     if (object.has("most")) entry.most = static_cast<std::uint64_t>(object.number("most", 0, INT64_MAX));
+    if (object.has("least_share")) entry.least_share = object.real("least_share", 0, 1);
+    if (object.has("most_share")) entry.most_share = object.real("most_share", 0, 1);
     entry.where = object.where();
     object.require_no_more();
     request_.counts.push_back(std::move(entry));

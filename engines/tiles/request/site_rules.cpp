@@ -11,15 +11,28 @@
 namespace solitaire::tiles {
 namespace {
 
+/// Returns whether a box lies in the map.
+bool fits(const PinEntry& box, const Size& size) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (box.from[axis] < 0 || box.from[axis] >= box.to[axis] || box.to[axis] > size.extent[axis])
+      return false;
+  }
+  return true;
+}
+
+[[noreturn]] void fail_outside(const PinEntry& pin, const Size& size) {
+  throw RequestError(fmt::format(
+      "the pin at ({},{},{}) is outside of the map of {}x{}x{}; make the map larger, or say the place in a "
+      "way that suits all sizes: -1 is the last column or row, and \"every\": [10, 10] repeats a pin as "
+      "often as it fits",
+      pin.from[0], pin.from[1], pin.from[2], size.width(), size.height(), size.depth()));
+}
+
+/// Returns the rule of a box that lies in the map.
 SiteRule pin_rule(const PinEntry& pin, const Problem& problem) {
   SiteRule rule;
   rule.allowed = tile_set(problem.style().tileset, pin.tiles);
   const Size& size = problem.size();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (pin.from[axis] >= 0 && pin.from[axis] < pin.to[axis] && pin.to[axis] <= size.extent[axis]) continue;
-    throw RequestError(fmt::format("the pin at ({},{},{}) is outside of the map of {}x{}x{}", pin.from[0],
-                                   pin.from[1], pin.from[2], size.width(), size.height(), size.depth()));
-  }
   const Size box{{pin.to[0] - pin.from[0], pin.to[1] - pin.from[1], pin.to[2] - pin.from[2]}};
   for_each_point(box, [&](const Point& at) {
     rule.sites.push_back(static_cast<std::uint32_t>(
@@ -30,6 +43,27 @@ SiteRule pin_rule(const PinEntry& pin, const Problem& problem) {
                                                             pin.to[0] - 1, pin.to[1] - 1);
   rule.text = fmt::format("{} is pinned to {}", where, quoted(pin.tiles));
   return rule;
+}
+
+/// Adds the rule of a pin and of its repetitions along the axes from `axis` on.
+void add_pin(PinEntry pin, std::size_t axis, Problem& problem) {
+  if (!fits(pin, problem.size())) return;
+  if (axis == kAxes) return problem.add(pin_rule(pin, problem));
+  do {
+    add_pin(pin, axis + 1, problem);
+    pin.from[axis] += pin.every[axis];
+    pin.to[axis] += pin.every[axis];
+  } while (pin.every[axis] > 0 && fits(pin, problem.size()));
+}
+
+void add_pin(const PinEntry& said, Problem& problem) {
+  const PinEntry pin = counted_in(problem.size(), said);
+  if (!fits(pin, problem.size())) fail_outside(said, problem.size());
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (pin.every[axis] > 0 && pin.every[axis] < pin.to[axis] - pin.from[axis])
+      throw RequestError("'every' is smaller than the pin's size; 0 repeats it nowhere along that axis");
+  }
+  add_pin(pin, 0, problem);
 }
 
 using Side = std::pair<std::size_t, int>;  // an axis, and a step along it
@@ -92,13 +126,20 @@ SiteRule border_rule(const BorderEntry& border, const Problem& problem) {
 
 }  // namespace
 
+PinEntry counted_in(const Size& size, PinEntry box) {
+  const Point last = size.counted({box.to[0] - 1, box.to[1] - 1, box.to[2] - 1});
+  box.from = size.counted(box.from);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) box.to[axis] = last[axis] + 1;
+  return box;
+}
+
 void add_site_rules(const Request& request, Problem& problem) {
   for (const PinEntry& pin : request.pins) {
-    said_at(pin.where, [&] { problem.add(pin_rule(pin, problem)); });
+    said_at(pin.where, [&] { add_pin(pin, problem); });
   }
   for (const std::filesystem::path& map : request.pin_maps) {
     for (const TiledPin& pin : read_pins(map)) {
-      said_at(map.string(), [&] { problem.add(pin_rule({pin.from, pin.to, pin.tiles}, problem)); });
+      said_at(map.string(), [&] { add_pin({pin.from, pin.to, pin.tiles}, problem); });
     }
   }
   for (const BorderEntry& border : request.borders) {

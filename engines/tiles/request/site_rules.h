@@ -4,6 +4,9 @@
 
 namespace solitaire::tiles {
 
+/// Returns a box whose places below 0 are counted from the far side of a map of that size.
+PinEntry counted_in(const Size& size, PinEntry box);
+
 /// Adds what a request says of single sites: pins and borders. Throws RequestError and FileError.
 void add_site_rules(const Request& request, Problem& problem);
 

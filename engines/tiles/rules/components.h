@@ -17,13 +17,14 @@ class Components {
     return first != second;
   }
 
- private:
+  /// Returns the number that all sites of a set have in common until it grows.
   std::uint32_t root(std::size_t of) {
     auto site = static_cast<std::uint32_t>(of);
     while (parent_[site] != site) site = parent_[site] = parent_[parent_[site]];
     return site;
   }
 
+ private:
   std::vector<std::uint32_t> parent_;
 };
 

@@ -11,6 +11,10 @@ class Connected : public NetworkRule {
 
   /// Returns how many components there are too many.
   std::uint64_t violation(const Grid& map) const override;
+  std::unique_ptr<RuleWatch> watch(const Grid& map) const override;
+
+ private:
+  std::uint64_t networks(const Grid& map) const;
 };
 
 }  // namespace solitaire::tiles

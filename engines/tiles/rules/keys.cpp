@@ -5,20 +5,6 @@
 
 namespace solitaire::tiles {
 
-/// Calls `visit(neighbour)` where each is open towards the other.
-template <class Visit>
-void Keys::for_each_linked(const Grid& map, std::size_t site, Visit visit) const {
-  const Point at = map.size.point(site);
-  const Sides open = open_[map[site]];
-  for (std::size_t axis = 0; axis < kAxes && open != 0; ++axis) {
-    for (const int step : {1, -1}) {
-      if ((open & side(axis, step)) == 0) continue;
-      const std::size_t next = topology_.neighbor(at, axis, step);
-      if (next != Topology::kNone && (open_[map[next]] & side(axis, -step)) != 0) visit(next);
-    }
-  }
-}
-
 /// Walks from the first site as far as the keys go that were found on the way. A closed door is seen and
 /// waits.
 std::vector<bool> Keys::reached(const Grid& map) const {
@@ -43,7 +29,7 @@ std::vector<bool> Keys::reached(const Grid& map) const {
       continue;
     }
     found.insert(map[site]);
-    for_each_linked(map, site, [&](std::size_t next) {
+    for_each_linked(topology_, open_, map, site, [&](std::size_t next) {
       if (seen[next]) return;
       seen[next] = true;
       ready.push_back(next);
@@ -59,7 +45,7 @@ std::uint64_t Keys::components_without(const Grid& map, const std::vector<bool>&
   for (std::size_t site = 0; site < map.tiles.size(); ++site) {
     if (reached[site] || open_[map[site]] == 0) continue;
     ++count;
-    for_each_linked(map, site, [&](std::size_t next) {
+    for_each_linked(topology_, open_, map, site, [&](std::size_t next) {
       if (next < site && !reached[next] && components.join(site, next)) --count;
     });
   }

@@ -23,8 +23,6 @@ class Keys : public NetworkRule {
  private:
   std::vector<bool> reached(const Grid& map) const;
   std::uint64_t components_without(const Grid& map, const std::vector<bool>& reached) const;
-  template <class Visit>
-  void for_each_linked(const Grid& map, std::size_t site, Visit visit) const;
 
   std::vector<std::optional<Tile>> keys_;
   std::size_t from_;

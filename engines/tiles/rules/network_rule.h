@@ -8,6 +8,23 @@
 
 namespace solitaire::tiles {
 
+/// Calls `visit(neighbour)` for each neighbour of a site where each is open towards the other; `open` has the
+/// open sides of each tile.
+template <class Visit>
+void for_each_linked(const Topology& topology, const std::vector<Sides>& open, const Grid& map,
+                     std::size_t site, Visit visit) {
+  const Sides here = open[map[site]];
+  if (here == 0) return;
+  const Point at = map.size.point(site);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const int step : {1, -1}) {
+      if ((here & side(axis, step)) == 0) continue;
+      const std::size_t next = topology.neighbor(at, axis, step);
+      if (next != Topology::kNone && (open[map[next]] & side(axis, -step)) != 0) visit(next);
+    }
+  }
+}
+
 /// A rule about the network of a map's passable tiles, in which two neighbours are linked if each is open
 /// towards the other.
 class NetworkRule : public GlobalRule {

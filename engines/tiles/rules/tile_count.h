@@ -13,10 +13,15 @@ class TileCount : public GlobalRule {
       : tiles_(tiles), least_(least), most_(most), text_(std::move(text)) {}
 
   /// Returns how many there are too few or too many.
-  std::uint64_t violation(const Grid& map) const override;
+  std::uint64_t violation(const Grid& map) const override { return excess(count(map)); }
+  std::unique_ptr<RuleWatch> watch(const Grid& map) const override;
   std::string text() const override { return text_; }
 
  private:
+  class Watch;
+  std::uint64_t count(const Grid& map) const;
+  std::uint64_t excess(std::uint64_t count) const;
+
   TileMask tiles_;
   std::uint64_t least_, most_;
   std::string text_;

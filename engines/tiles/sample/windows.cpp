@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include "base/hash.h"
@@ -34,7 +35,8 @@ class WindowSampling {
 
   void run(Sample& sample) {
     sample_ = &sample;
-    if (!problem_.global_rules().empty()) violation_ = problem_.violation(sample.map);
+    violation_ = problem_.violation(sample.map);
+    for (const auto& rule : problem_.global_rules()) watches_.push_back(rule->watch(sample.map));
     const std::uint64_t mending = options_.effort > 0 ? options_.effort : kMostMending;
     const std::uint64_t planned = options_.anneal + options_.sweeps;
     while (sample.sweeps < planned || (violation_ > 0 && sample.sweeps < planned + mending)) {
@@ -91,9 +93,11 @@ class WindowSampling {
     before_.clear();
     for (const std::uint32_t site : sites) before_.push_back(map[site]);
     redraw(sites, random);
-    const std::uint64_t violation = problem_.violation(map);
+    std::uint64_t violation = 0;
+    for (const auto& watch : watches_) violation += watch->after(map, {sites, before_});
     if (accept(violation, random)) {
       violation_ = violation;
+      for (const auto& watch : watches_) watch->keep();
       return;
     }
     ++sample_->refused;
@@ -115,7 +119,8 @@ class WindowSampling {
   Frontier frontier_;
   Weights weights_;
   Sample* sample_ = nullptr;
-  std::uint64_t violation_ = 0;
+  std::uint64_t violation_ = 0;  // of all rules
+  std::vector<std::unique_ptr<RuleWatch>> watches_;
   std::vector<Tile> before_;
   int height_;  // of boxes
 };
