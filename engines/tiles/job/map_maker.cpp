@@ -33,10 +33,10 @@ void add_weights(const Request& request, const SamplerOptions& sampling, Style& 
 void require_endless(const Request& request, const SamplerOptions& options) {
   const bool whole = !request.pins.empty() || !request.pin_maps.empty() || !request.borders.empty() ||
                      request.zones || request.districts || !request.connected.empty() ||
-                     !request.acyclic.empty() || !request.loops.empty() || !request.counts.empty() || !request.runs.empty() ||
-                     !request.distances.empty() || !request.paths.empty() || !request.keys.empty() ||
-                     request.mirror || request.size[2] > 1 || request.periodic[0] || request.periodic[1] ||
-                     request.periodic[2];
+                     !request.acyclic.empty() || !request.loops.empty() || !request.counts.empty() ||
+                     !request.runs.empty() || !request.distances.empty() || !request.paths.empty() ||
+                     !request.keys.empty() || request.mirror || request.size[2] > 1 || request.periodic[0] ||
+                     request.periodic[1] || request.periodic[2];
   if (whole) {
     throw RequestError(
         "chunks of an endless map have no pins, borders, zones, rules about the whole map, mirrors, rings or "
