@@ -1,0 +1,31 @@
+// Numbers that are drawn against their distribution, far out, too.
+#include "tracegraph/drawing.h"
+
+#include <array>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <iterator>
+#include <numbers>
+
+namespace solitaire {
+namespace {
+
+TEST_CASE("drawing: normal numbers are as often far out as they should be") {
+  RandomStream stream(3, Purpose::kSample, 8);
+  constexpr double kDraws = 1'000'000;
+  // The last but one lies where layers end and the tail begins (tracegraph/drawing.cpp).
+  const double limits[] = {0.2, 1, 1.5, 2, 2.5, 3, 3.442619855899, 4};
+  std::array<double, std::size(limits)> beyond{};
+  for (int i = 0; i < kDraws; ++i) {
+    const double x = draw_normal(stream);
+    for (std::size_t k = 0; k < beyond.size(); ++k) beyond[k] += (i % 2 == 0 ? x : -x) > limits[k] ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < beyond.size(); ++k) {
+    CAPTURE(limits[k]);
+    const double expected = kDraws * 0.5 * std::erfc(limits[k] / std::numbers::sqrt2);
+    CHECK(std::abs(beyond[k] - expected) < 4 * std::sqrt(expected));
+  }
+}
+
+}  // namespace
+}  // namespace solitaire
