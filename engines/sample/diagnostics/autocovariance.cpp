@@ -12,6 +12,27 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// The first half of the roots of unity of that order.
+std::vector<Complex> roots_of_unity(std::size_t order, int direction) {
+  std::vector<Complex> roots(order / 2);
+  for (std::size_t k = 0; k < roots.size(); ++k)
+    roots[k] = std::polar(
+        1.0, direction * 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(order));
+  return roots;
+}
+
+/// Makes a transform of the transforms of the even and the odd members of a series, which are that long. The
+/// product is written out, since that of complex numbers looks for infinities.
+void combine(Complex* series, std::size_t half, const Complex* turns, std::size_t stride) {
+  for (std::size_t k = 0; k < half; ++k) {
+    const Complex turn = turns[k * stride], even = series[k], last = series[k + half];
+    const Complex odd(turn.real() * last.real() - turn.imag() * last.imag(),
+                      turn.real() * last.imag() + turn.imag() * last.real());
+    series[k] = even + odd;
+    series[k + half] = even - odd;
+  }
+}
+
 /// Replaces a series, whose length is a power of two, by its Fourier transform (Cooley and Tukey 1965), or,
 /// with direction 1 in place of -1, by its inverse times the length.
 void transform_series(std::vector<Complex>& series, int direction) {
@@ -23,18 +44,10 @@ void transform_series(std::vector<Complex>& series, int direction) {
     j ^= bit;
     if (i < j) std::swap(series[i], series[j]);
   }
-  for (std::size_t length = 2; length <= size; length *= 2) {
-    const double angle = direction * 2 * std::numbers::pi / static_cast<double>(length);
-    for (std::size_t k = 0; k < length / 2; ++k) {
-      const Complex turn = std::polar(1.0, angle * static_cast<double>(k));
-      for (std::size_t start = k; start < size; start += length) {
-        const Complex even = series[start];
-        const Complex odd = turn * series[start + length / 2];
-        series[start] = even + odd;
-        series[start + length / 2] = even - odd;
-      }
-    }
-  }
+  const std::vector<Complex> turns = roots_of_unity(size, direction);
+  for (std::size_t length = 2; length <= size; length *= 2)
+    for (std::size_t start = 0; start < size; start += length)
+      combine(&series[start], length / 2, turns.data(), size / length);
 }
 
 }  // namespace
