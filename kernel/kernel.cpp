@@ -15,8 +15,9 @@ constexpr std::uint64_t kRescoreEvery = std::uint64_t{1} << 20;
 
 /// To compile code takes as long as some hundred runs of it.
 constexpr std::uint32_t kCompiledAfter = 300;
-/// What comes between two choices is compiled if it is as long: machine code takes a page of memory.
-constexpr std::size_t kShortestCompiledStage = 16;
+/// What comes between two choices, or keeps cells, is compiled if it is as long: machine code takes a page of
+/// memory.
+constexpr std::size_t kShortestCompiled = 16;
 
 /// A bool is an int of 0 or 1.
 double number(Scalar value, Type type) {
@@ -29,9 +30,14 @@ Kernel::Kernel(ScoreProgram program, bool compiles)
     : program_(std::move(program)),
       stages_(stages_of(program_)),
       slices_(slices_of(program_)),
+      upkeep_(upkeep_of(program_, slices_)),
       compiles_(compiles),
       compiled_stages_(stages_.size()),
-      compiled_slices_(slices_.size()) {
+      compiled_slices_(slices_.size()),
+      compiled_forms_(program_.choices.size()),
+      compiled_changes_(program_.choices.size()),
+      compiled_accepted_(program_.choices.size()) {
+  find_commits(program_, upkeep_.kept, slices_);
   std::size_t longest = 0;
   for (const Slice& slice : slices_) longest = std::max(longest, slice.code.size());
   for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) {
@@ -57,8 +63,7 @@ bool Kernel::reach(std::size_t stage) {
   const std::size_t start = stage == 0 ? 0 : stages_[stage - 1].code_end;
   const std::span<const Instruction> code(program_.code.data() + start, stages_[stage].code_end - start);
   const std::vector<Cell>& assumed = stages_[stage].assumed;
-  const bool made = code.size() < kShortestCompiledStage ? run(code, cells_.data())
-                                                         : run_code(code, compiled_stages_[stage]);
+  const bool made = run_code(code, compiled_stages_[stage]);
   return made && std::all_of(assumed.begin(), assumed.end(), [&](Cell cell) { return holds(cell); });
 }
 
@@ -66,7 +71,7 @@ Kernel::Outcome Kernel::load(const std::vector<Scalar>& values) {
   proposed_bits_.reset();
   for (ChoiceNumber i = 0; i < program_.choices.size(); ++i)
     if (program_.choices[i].cell != kNoCell) cells_[program_.choices[i].cell] = values[i];
-  const bool made = run(program_.code, cells_.data());
+  const bool made = run_code(program_.code, compiled_all_);
   const bool on_path = made && std::all_of(program_.assumed.begin(), program_.assumed.end(),
                                            [this](Cell cell) { return cells_[cell].i != 0; });
   return on_path ? score_all() : Outcome::kLeavesTrace;
@@ -75,16 +80,22 @@ Kernel::Outcome Kernel::load(const std::vector<Scalar>& values) {
 void Kernel::keep(Present& present) const {
   present.cells.assign(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(program_.cells.size()));
   present.log_score = log_score_;
+  present.stale = stale_;
+  present.underived = underived_;
 }
 
 void Kernel::come_back(const Present& present) {
   std::copy(present.cells.begin(), present.cells.end(), cells_.begin());
   log_score_ = present.log_score;
+  stale_ = present.stale;
+  underived_ = present.underived;
   proposed_bits_.reset();
 }
 
 /// Sums up what the code of the program made.
 Kernel::Outcome Kernel::score_all() {
+  stale_ = false;
+  underived_ = true;
   if (!std::all_of(program_.required.begin(), program_.required.end(),
                    [&](Cell cell) { return holds(cell); }))
     return Outcome::kImpossible;
@@ -102,6 +113,7 @@ Kernel::Outcome Kernel::outcome_of(double log_density) {
 /// What was proposed last stands in the slice's cells still, so to propose it again takes no time.
 Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
   if (proposed_ == choice && proposed_bits_ == bits_of(value)) return outcome_;
+  if (program_.choices[choice].form != Form::kUnknown) refresh();
   proposed_ = choice;
   proposed_bits_ = bits_of(value);
   cells_[program_.cells.size()] = value;
@@ -111,7 +123,8 @@ Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
 /// Both machines give the same, so it does not matter when the faster one takes over.
 bool Kernel::run_code(std::span<const Instruction> code, Compiled& compiled) {
   if (compiled.code != nullptr) return compiled.code(cells_.data());
-  if (compiles_ && ++compiled.runs == kCompiledAfter) compiled.code = compiler_.compile(code);
+  if (compiles_ && code.size() >= kShortestCompiled && ++compiled.runs == kCompiledAfter)
+    compiled.code = compiler_.compile(code);
   return run(code, cells_.data());
 }
 
@@ -123,6 +136,7 @@ void Kernel::differentiate() {
 
 Kernel::Outcome Kernel::propose_floats(std::span<const double> values) {
   if (slopes_.empty()) differentiate();
+  refresh();
   proposed_ = slices_.size() - 1;
   proposed_bits_.reset();
   for (std::size_t i = 0; i < values.size(); ++i) cells_[program_.cells.size() + i] = Scalar::of(values[i]);
@@ -144,7 +158,55 @@ void Kernel::accept() {
   for (const auto& [present, proposed] : slices_[proposed_].commits) cells_[present] = cells_[proposed];
   log_score_ += difference_;
   proposed_bits_.reset();
+  if (proposed_ == program_.choices.size()) underived_ = true;
+  if (!underived_) run_code(upkeep_.accepted[proposed_], compiled_accepted_[proposed_]);
   if (++accepted_ % kRescoreEvery == 0) follow([this](ChoiceNumber choice) { return value(choice); });
+}
+
+std::span<const double> Kernel::numbers(ChoiceNumber choice) {
+  if (underived_) derive();
+  run_code(upkeep_.forms[choice], compiled_forms_[choice]);
+  const ScoreProgram::Choice& at = program_.choices[choice];
+  numbers_.clear();
+  for (const Cell cell : at.numbers) {
+    double number = cells_[cell].f;
+    if (at.form == Form::kWeights && !std::isfinite(number)) {
+      if (number == HUGE_VAL) ++infinities_;
+      number = -HUGE_VAL;
+    }
+    numbers_.push_back(number);
+  }
+  return numbers_;
+}
+
+bool Kernel::set(ChoiceNumber choice, Scalar value) {
+  if (underived_) derive();
+  const Scalar before = cells_[program_.choices[choice].cell];
+  proposed_bits_.reset();
+  stale_ = stale_ || !upkeep_.keeps_all[choice];
+  if (change(choice, value)) return true;
+  change(choice, before);
+  return false;
+}
+
+bool Kernel::change(ChoiceNumber choice, Scalar value) {
+  const ScoreProgram::Choice& at = program_.choices[choice];
+  cells_[at.cell] = value;
+  const bool made = run_code(upkeep_.changes[choice], compiled_changes_[choice]);
+  return made && std::all_of(at.required.begin(), at.required.end(), [&](Cell cell) { return holds(cell); });
+}
+
+void Kernel::refresh() {
+  if (!stale_) return;
+  run_code(program_.code, compiled_all_);
+  const bool underived = underived_;
+  score_all();
+  underived_ = underived;
+}
+
+void Kernel::derive() {
+  run_code(upkeep_.derived, compiled_derived_);
+  underived_ = false;
 }
 
 Scalar Kernel::value(ChoiceNumber choice) const {
@@ -179,7 +241,8 @@ Distribution Kernel::distribution(ChoiceNumber choice) const {
 }
 
 std::vector<double> Kernel::outputs() {
-  run(program_.output_code, cells_.data());
+  if (underived_) derive();
+  run_code(upkeep_.outputs, compiled_outputs_);
   std::vector<double> values;
   for (const Cell cell : program_.outputs) values.push_back(number(cells_[cell], program_.types[cell]));
   return values;

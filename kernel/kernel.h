@@ -10,6 +10,7 @@
 #include "kernel/score_program.h"
 #include "kernel/slice.h"
 #include "kernel/stages.h"
+#include "kernel/upkeep.h"
 
 namespace solitaire {
 
@@ -21,6 +22,10 @@ using ChoiceNumber = std::size_t;
 
 /// A ScoreProgram at work: values of its choices, with the density that they have, and what becomes of the
 /// density when one of them changes.
+///
+/// Where the form of the density along a choice is known, its numbers() say how to draw a value, and set()
+/// takes it over. Neither computes a density: what only a density needs is left behind until refresh(). All
+/// functions that need it say so, but for proposals, which see to it themselves.
 class Kernel {
  public:
   enum class Outcome : std::uint8_t {
@@ -35,6 +40,7 @@ class Kernel {
 
   const ScoreProgram& program() const { return program_; }
   const Slice& slice(ChoiceNumber choice) const { return slices_[choice]; }
+  const Upkeep& upkeep() const { return upkeep_; }
 
   /// Runs an execution from its first choice to its last. Each is asked for when it is met, and then has its
   /// present distribution; what comes after a condition of the path that does not hold is not asked for.
@@ -46,6 +52,7 @@ class Kernel {
   struct Present {
     std::vector<Scalar> cells;
     double log_score = 0;
+    bool stale = false, underived = false;
   };
   void keep(Present& present) const;
   void come_back(const Present& present);
@@ -63,7 +70,16 @@ class Kernel {
   /// Takes over the change that was proposed last, which has to have been scored.
   void accept();
 
-  /// The logarithm of the present density. Differences are added up, so it is computed anew now and then.
+  /// The numbers of the form along a choice, whose form is known. Weights are finite or minus infinity.
+  std::span<const double> numbers(ChoiceNumber choice);
+  /// Gives a choice whose form is known another value, unless that breaks a condition; then it returns false
+  /// and changes nothing. A value of a form with weights is one whose weight is finite.
+  bool set(ChoiceNumber choice, Scalar value);
+  /// Computes what set() has left behind.
+  void refresh();
+
+  /// The logarithm of the present density; needs refresh(). Differences are added up, so it is computed anew
+  /// now and then.
   double log_score() const { return log_score_; }
   Scalar value(ChoiceNumber choice) const;
   /// The choice's distribution with the present values of its parameters.
@@ -87,16 +103,25 @@ class Kernel {
   bool run_code(std::span<const Instruction> code, Compiled& compiled);
   bool holds(Cell cell) const { return cells_[cell].i != 0; }
   void differentiate();
+  void derive();
+  bool change(ChoiceNumber choice, Scalar value);
 
   ScoreProgram program_;
   std::vector<ChoiceNumber> floats_;  // that can change
   std::vector<Stage> stages_;
   std::vector<Slice> slices_;
+  Upkeep upkeep_;
   std::vector<Cell> slopes_;  // once they are asked for
   bool compiles_;
   Compiler compiler_;
   std::vector<Compiled> compiled_stages_, compiled_slices_;
+  std::vector<Compiled> compiled_forms_, compiled_changes_, compiled_accepted_;
+  Compiled compiled_all_, compiled_derived_, compiled_outputs_;
   std::vector<Scalar> cells_;  // the program's, and behind them room for the longest slice
+
+  std::vector<double> numbers_;  // that were asked for last
+  bool stale_ = false;           // whether set() has left something behind
+  bool underived_ = true;        // whether the kept cells of forms are to be made anew
 
   std::size_t proposed_ = 0;  // the number of a slice
   std::optional<std::int64_t>

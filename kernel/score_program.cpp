@@ -2,17 +2,11 @@
 
 #include <algorithm>
 
+#include "kernel/known_forms.h"
 #include "tracegraph/density.h"
 
 namespace solitaire {
 namespace {
-
-/// What of a trace counts, as nodes.
-struct Demands {
-  std::vector<NodeId> terms;
-  std::vector<NodeId> required;
-  std::vector<NodeId> assumed;
-};
 
 NodeId guarded(Graph& graph, NodeId guard, NodeId term) {
   return guard == kTrue ? term : graph.phi(guard, term, graph.constant(0.0));
@@ -116,6 +110,7 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
   demands.assumed = open_conditions(std::move(demands.assumed));
   std::vector<NodeId> numbers;
   for (const double number : kSlopeNumbers) numbers.push_back(graph.constant(number));
+  const std::vector<KnownForm> forms = known_forms(graph, trace, demands);
   Cells cells(graph, program);
   for (const std::vector<NodeId>* needed : {&demands.terms, &demands.required, &demands.assumed})
     cells.need(*needed);
@@ -125,17 +120,22 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
   }
   cells.need(numbers);
   cells.write(program.code);
+  for (const KnownForm& form : forms) {
+    cells.need(form.numbers);
+    cells.need(form.required);
+  }
+  cells.write(program.form_code);
   program.slope_numbers = cells.of(numbers);
   program.terms = cells.of(demands.terms);
   program.required = cells.of(demands.required);
   program.assumed = cells.of(demands.assumed);
-  for (const TraceChoice& choice : trace.choices) {
+  for (std::size_t i = 0; i < trace.choices.size(); ++i) {
+    const TraceChoice& choice = trace.choices[i];
     const bool open = is_choice(graph.node(choice.variable).op);
     const Scalar only = open ? Scalar{} : graph.scalar(choice.variable);
-    const bool fixed = std::all_of(choice.parameters.begin(), choice.parameters.end(),
-                                   [&](NodeId each) { return graph.node(each).is_constant(); });
     program.choices.push_back({open ? cells.of(choice.variable) : kNoCell, choice.address, choice.domain,
-                               cells.of(choice.parameters), only, fixed});
+                               cells.of(choice.parameters), only, has_fixed_parameters(graph, choice),
+                               forms[i].form, cells.of(forms[i].numbers), cells.of(forms[i].required)});
   }
   cells.need(outputs);
   cells.write(program.output_code);

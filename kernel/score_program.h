@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/forms.h"
 #include "tracegraph/graph.h"
 #include "tracegraph/trace.h"
 
@@ -37,10 +38,13 @@ struct ScoreProgram {
   struct Choice {
     Cell cell;  // kNoCell for a choice with one value alone
     AddressId address;
-    Distribution distribution;     // with the parameters that it had when it was traced
-    std::vector<Cell> parameters;  // as of log_density() (tracegraph/density.h)
-    Scalar only_value;             // of a choice without a cell
-    bool fixed_parameters;         // they depend on no choice
+    Distribution distribution;        // with the parameters that it had when it was traced
+    std::vector<Cell> parameters;     // as of log_density() (tracegraph/density.h)
+    Scalar only_value;                // of a choice without a cell
+    bool fixed_parameters;            // they depend on no choice
+    Form form = Form::kUnknown;       // along the choice; unknown also where a branch depends on it
+    std::vector<Cell> numbers = {};   // of the form
+    std::vector<Cell> required = {};  // of those that depend on the choice, those that the form leaves open
   };
 
   std::vector<Scalar> cells;  // constants have their values, all others wait to be set or computed
@@ -52,7 +56,9 @@ struct ScoreProgram {
   std::vector<Cell> assumed;      // bools
   double constant = 0;
   std::vector<Cell> slope_numbers;  // have the values of kSlopeNumbers
-  /// Makes the outputs, once `code` has run.
+  /// Makes the numbers of forms, once `code` has run.
+  std::vector<Instruction> form_code;
+  /// Makes the outputs, after both.
   std::vector<Instruction> output_code;
   std::vector<Cell> outputs;
 

@@ -5,45 +5,25 @@
 #include <iterator>
 #include <span>
 
+#include "kernel/dependents.h"
+
 namespace solitaire {
 namespace {
 
-/// Finds what depends on a cell: the numbers of the instructions that read each cell.
-class Users {
- public:
+/// What depends on the cells of a program, and the instructions that make them.
+struct Users {
   explicit Users(const ScoreProgram& program)
-      : users_(program.cells.size()), seen_(program.code.size(), false) {
+      : dependents(program.cells.size()), maker(program.cells.size()) {
     for (std::uint32_t i = 0; i < program.code.size(); ++i) {
       const Instruction& step = program.code[i];
-      for (std::size_t k = 0; k < operation(step.op).arity; ++k) {
-        auto& users = users_[step.operands[k]];
-        if (users.empty() || users.back() != i) users.push_back(i);
-      }
+      for (std::size_t k = 0; k < operation(step.op).arity; ++k)
+        dependents.add(step.operands[k], step.result);
+      maker[step.result] = i;
     }
   }
 
-  /// The instructions whose results depend on the cells, in the order of the program.
-  std::vector<std::uint32_t> closure(const ScoreProgram& program, std::span<const Cell> cells) {
-    std::vector<std::uint32_t> found;
-    std::vector<Cell> open(cells.begin(), cells.end());
-    while (!open.empty()) {
-      const Cell at = open.back();
-      open.pop_back();
-      for (const std::uint32_t user : users_[at]) {
-        if (seen_[user]) continue;
-        seen_[user] = true;
-        found.push_back(user);
-        open.push_back(program.code[user].result);
-      }
-    }
-    for (const std::uint32_t user : found) seen_[user] = false;
-    std::sort(found.begin(), found.end());
-    return found;
-  }
-
- private:
-  std::vector<std::vector<std::uint32_t>> users_;
-  std::vector<bool> seen_;
+  Dependents dependents;
+  std::vector<std::uint32_t> maker;
 };
 
 /// Where the cells of a slice stand while it runs: kNoCell of a cell that it does not change.
@@ -87,8 +67,8 @@ Slice slice_of(const ScoreProgram& program, std::span<const Cell> choices, Users
     return at;
   };
   for (const Cell choice : choices) change(choice);
-  for (const std::uint32_t number : users.closure(program, choices)) {
-    Instruction step = program.code[number];
+  for (const Cell made : users.dependents.closure(choices)) {
+    Instruction step = program.code[users.maker[made]];
     for (std::size_t k = 0; k < operation(step.op).arity; ++k)
       step.operands[k] = proposed.read(step.operands[k]);
     step.result = change(step.result);
@@ -106,7 +86,7 @@ Slice slice_of(const ScoreProgram& program, std::span<const Cell> choices, Users
 }
 
 /// Which cells of the program are read other than by computing all anew: by slices, as values that do not
-/// change with them, as choices and their parameters, and by outputs.
+/// change with them, as choices and their parameters, by forms and by outputs.
 std::vector<bool> cells_read(const ScoreProgram& program, const std::vector<Slice>& slices) {
   std::vector<bool> read(program.cells.size(), false);
   const auto operands_of = [&](const std::vector<Instruction>& code) {
@@ -115,11 +95,13 @@ std::vector<bool> cells_read(const ScoreProgram& program, const std::vector<Slic
         if (step.operands[k] < read.size()) read[step.operands[k]] = true;
   };
   for (const Slice& slice : slices) operands_of(slice.code);
+  operands_of(program.form_code);
   operands_of(program.output_code);
   for (const Cell output : program.outputs) read[output] = true;
   for (const ScoreProgram::Choice& choice : program.choices) {
     if (choice.cell != kNoCell) read[choice.cell] = true;
-    for (const Cell parameter : choice.parameters) read[parameter] = true;
+    for (const auto* cells : {&choice.parameters, &choice.numbers, &choice.required})
+      for (const Cell cell : *cells) read[cell] = true;
   }
   return read;
 }
@@ -137,11 +119,14 @@ std::vector<Slice> slices_of(const ScoreProgram& program) {
     if (open && program.types[choice.cell] == Type::kFloat) floats.push_back(choice.cell);
   }
   slices.push_back(slice_of(program, floats, users, proposed));
+  return slices;
+}
+
+void find_commits(const ScoreProgram& program, const std::vector<bool>& kept, std::vector<Slice>& slices) {
   const std::vector<bool> read = cells_read(program, slices);
   for (Slice& slice : slices)
     std::copy_if(slice.changes.begin(), slice.changes.end(), std::back_inserter(slice.commits),
-                 [&](const Slice::Changed& each) { return read[each.present]; });
-  return slices;
+                 [&](const Slice::Changed& each) { return read[each.present] || kept[each.present]; });
 }
 
 }  // namespace solitaire

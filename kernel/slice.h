@@ -19,7 +19,7 @@ struct Slice {
 
   std::vector<Instruction> code;  // makes the changes, and then the difference
   std::vector<Changed> changes;   // the choices, then the results of the code, in this order
-  std::vector<Changed> commits;   // of these, what something reads that does not change with them
+  std::vector<Changed> commits;   // of these, what has to be taken over where the change is accepted
   std::vector<Changed> terms;
   Cell difference = kNoCell;   // of the sum of the terms; nothing where no term changes
   std::vector<Cell> required;  // proposed cells
@@ -29,5 +29,9 @@ struct Slice {
 /// The slices of all choices, in their order; an empty one of a choice without a cell. The last slice is that
 /// of all floats together, whose new values stand one behind the other, in the order of the choices.
 std::vector<Slice> slices_of(const ScoreProgram& program);
+
+/// Finds the commits: of what changes, cells that something reads which does not change with them, and those
+/// that are kept.
+void find_commits(const ScoreProgram& program, const std::vector<bool>& kept, std::vector<Slice>& slices);
 
 }  // namespace solitaire

@@ -9,8 +9,9 @@ void JointMoves::enter(const TracedStructure* structure) {
   std::vector<std::uint32_t> addresses;
   bool has_unknown = false;
   for (const ChoiceNumber each : structure->kernel.floats()) {
-    addresses.push_back(structure->kernel.program().choices[each].address.index);
-    has_unknown = has_unknown || structure->forms[each] == Form::kUnknown;
+    const ScoreProgram::Choice& choice = structure->kernel.program().choices[each];
+    addresses.push_back(choice.address.index);
+    has_unknown = has_unknown || choice.form == Form::kUnknown;
   }
   auto found = moves_of_.find(addresses);
   if (found == moves_of_.end() && warming_up_)

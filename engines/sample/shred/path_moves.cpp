@@ -6,6 +6,12 @@
 #include "engines/tuning.h"
 
 namespace solitaire {
+namespace {
+
+/// Products of some floats up to here, and of their inverses, are floats.
+constexpr double kUsual = 1e60;
+
+}  // namespace
 
 /// Where no form is known, half of the steps go anywhere, and half to what is about as probable.
 void PathMoves::scan(TracedStructure& structure, bool floats_move, bool learns) {
@@ -13,7 +19,7 @@ void PathMoves::scan(TracedStructure& structure, bool floats_move, bool learns) 
   const ScoreProgram& program = kernel.program();
   for (ChoiceNumber i = 0; i < program.choices.size(); ++i) {
     if (program.choices[i].cell == kNoCell || !structure.keeps_path(i)) continue;
-    if (change_by_form(structure, i)) continue;
+    if (change_by_form(kernel, i)) continue;
     if (stream_.below(2) != 0) {
       change_anywhere(kernel, i);
     } else if (!floats_move || program.types[program.choices[i].cell] != Type::kFloat) {
@@ -23,23 +29,31 @@ void PathMoves::scan(TracedStructure& structure, bool floats_move, bool learns) 
 }
 
 /// Draws the choice from its distribution given all others, if that is known.
-bool PathMoves::change_by_form(TracedStructure& structure, ChoiceNumber choice) {
-  Kernel& kernel = structure.kernel;
-  if (kernel.program().choices[choice].distribution.is_finite()) {
-    const Distribution distribution = kernel.domain(choice);
-    if (distribution.size() > tuning::kMostValuesCompared) return false;
-    change(kernel, choice, draw_of_few(kernel, choice, distribution, stream_), Move::kGibbs);
-    return true;
+bool PathMoves::change_by_form(Kernel& kernel, ChoiceNumber choice) {
+  const ScoreProgram::Choice& at = kernel.program().choices[choice];
+  if (at.form != Form::kUnknown) {
+    const std::optional<Scalar> value = draw_of_form(kernel, choice, stream_);
+    if (value) {
+      set(kernel, choice, *value);
+    } else {
+      moves_.add(Trouble::kUnbounded);
+    }
+    return value.has_value();
   }
-  const Form form = structure.forms[choice];
-  if (form == Form::kUnknown) return false;
-  const std::optional<Scalar> value = draw_of_form(kernel, choice, form, stream_);
-  if (value) {
-    change(kernel, choice, *value, Move::kGibbs);
-  } else {
-    moves_.add(Trouble::kUnbounded);
-  }
-  return value.has_value();
+  if (!at.distribution.is_finite()) return false;
+  const Distribution distribution = kernel.domain(choice);
+  if (distribution.size() > tuning::kMostValuesCompared) return false;
+  change(kernel, choice, draw_of_few(kernel, choice, distribution, stream_), Move::kGibbs);
+  return true;
+}
+
+/// A float far from 1 is looked at before it is taken: the density may not be finite there.
+void PathMoves::set(Kernel& kernel, ChoiceNumber choice, Scalar value) {
+  const bool is_float = kernel.program().choices[choice].form != Form::kWeights;
+  if (is_float && !(std::abs(value.f) < kUsual && std::abs(value.f) > 1 / kUsual))
+    return change(kernel, choice, value, Move::kGibbs);
+  const bool same = bits_of(value) == bits_of(kernel.value(choice));
+  moves_.add(Move::kGibbs, same || kernel.set(choice, value));
 }
 
 void PathMoves::change_anywhere(Kernel& kernel, ChoiceNumber choice) {

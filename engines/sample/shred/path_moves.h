@@ -20,7 +20,8 @@ class PathMoves {
   void scan(TracedStructure& structure, bool floats_move, bool learns);
 
  private:
-  bool change_by_form(TracedStructure& structure, ChoiceNumber choice);
+  bool change_by_form(Kernel& kernel, ChoiceNumber choice);
+  void set(Kernel& kernel, ChoiceNumber choice, Scalar value);
   void change_anywhere(Kernel& kernel, ChoiceNumber choice);
   void change(Kernel& kernel, ChoiceNumber choice, Scalar value, Move move);
 

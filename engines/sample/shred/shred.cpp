@@ -72,7 +72,8 @@ bool ShredChain::accepts(const Proposal& proposal, double log_ratio, AddressId a
 // ---- other paths
 
 void ShredChain::leave_path(ChoiceNumber choice, const Proposal& proposal) {
-  const Kernel& kernel = structure_->kernel;
+  Kernel& kernel = structure_->kernel;
+  kernel.refresh();
   for (const Passage* passage : structure_->passages.of(choice)) {
     const std::optional<double> log_ratio = path_run_.propose(kernel, choice, proposal, *passage);
     if (!log_ratio) continue;
@@ -123,6 +124,7 @@ void ShredChain::restart() {
 /// Returns nothing where the execution takes none of the paths that were taken last.
 std::optional<bool> ShredChain::restart_on_trace(double log_least) {
   Kernel& present = structure_->kernel;
+  present.refresh();
   double log_weight = present.log_score();
   for (ChoiceNumber i = 0; i < choices(); ++i) log_weight -= log_prior(present, i);
   present.keep(kept_);
@@ -150,7 +152,9 @@ bool ShredChain::restart_by_rerun(double log_least) {
 // ---- the present state
 
 void ShredChain::fetch_state() {
-  if (structure_ != nullptr) state_ = state_of(structure_->kernel);
+  if (structure_ == nullptr) return;
+  structure_->kernel.refresh();
+  state_ = state_of(structure_->kernel);
 }
 
 void ShredChain::enter(TracedStructure* structure) {

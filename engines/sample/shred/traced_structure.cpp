@@ -18,14 +18,6 @@ void collect_numbers(Graph& graph, const Value& value, std::vector<NodeId>& node
   }
 }
 
-std::vector<Form> forms_of(const Kernel& kernel) {
-  std::vector<Form> forms;
-  const ScoreProgram& program = kernel.program();
-  for (ChoiceNumber i = 0; i < program.choices.size(); ++i)
-    forms.push_back(form_of(program, program.choices[i], kernel.slice(i)));
-  return forms;
-}
-
 }  // namespace
 
 TracedStructure trace_structure(const Program& program, const ParamValues& params, const SampledState& state,
@@ -42,9 +34,8 @@ TracedStructure trace_structure(const Program& program, const ParamValues& param
   std::vector<std::string> names;
   std::vector<double> values;
   returned.read(plain(traced.execution.value), names, values);
-  std::vector<Form> forms = forms_of(kernel);
   const bool branches = !kernel.program().assumed.empty();
-  return {std::move(kernel), std::move(forms), std::move(names), branches, {}};
+  return {std::move(kernel), std::move(names), branches, {}};
 }
 
 bool TracedStructure::load(const SampledState& state) {

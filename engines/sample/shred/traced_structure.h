@@ -5,7 +5,6 @@
 #include "engines/sample/rerun.h"
 #include "engines/sample/returned_numbers.h"
 #include "engines/sample/shred/passages.h"
-#include "kernel/forms.h"
 #include "kernel/kernel.h"
 
 namespace solitaire {
@@ -13,7 +12,6 @@ namespace solitaire {
 /// The executions that take one path, as a kernel.
 struct TracedStructure {
   Kernel kernel;
-  std::vector<Form> forms;         // of the choices
   std::vector<std::string> names;  // of the numbers that the program returns, which are the kernel's outputs
   bool branches;                   // whether a branch depends on some choice
   Passages passages;
@@ -30,7 +28,7 @@ TracedStructure trace_structure(const Program& program, const ParamValues& param
                                 AddressTable& addresses, const Limits& limits,
                                 const ReturnedNumbers& returned);
 
-/// The kernel's values as a state, but for the value that the program returns.
+/// The kernel's values as a state, but for the value that the program returns. The kernel is refreshed.
 SampledState state_of(const Kernel& kernel);
 /// The logarithm of the density with which the choice is drawn to be what it is.
 double log_prior(const Kernel& kernel, ChoiceNumber choice);
