@@ -109,7 +109,7 @@ double Distribution::log_density(TypedScalar value) const {
       return -0.5 * distance * distance - std::log(b) - 0.5 * kLogTwoPi;
     }
     case Family::kNormalSharp:
-      return -0.5 * b * (x - a) * (x - a) + 0.5 * std::log(b) - 0.5 * kLogTwoPi;
+      return -0.5 * b * ((x - a) * (x - a)) + 0.5 * std::log(b) - 0.5 * kLogTwoPi;
     case Family::kExponential:
       return std::log(a) - a * x;
     case Family::kGamma:

@@ -71,6 +71,18 @@ TEST_CASE("densities as nodes are those of the distributions") {
   }
 }
 
+TEST_CASE("densities as nodes overflow where those of the distributions do") {
+  for (const double x : {1e150, 1e160, 1e300}) {
+    Unknowns unknowns;
+    const NodeId parameters[] = {unknowns.of(0), unknowns.of(1e-306)};
+    const Distribution distribution = Distribution::of_floats(Family::kNormalSharp, 0, 1e-306);
+    const auto density =
+        unknowns.value(log_density(unknowns.graph(), distribution, parameters, unknowns.of(x)));
+    const bool finite = density && std::isfinite(density->f);
+    CHECK(finite == std::isfinite(distribution.log_density(TypedScalar::of(x))));
+  }
+}
+
 TEST_CASE("the parts of a broken stick are seen to sum to 1, and others are not") {
   Unknowns unknowns;
   Graph& graph = unknowns.graph();

@@ -15,7 +15,7 @@
 namespace solitaire {
 namespace {
 
-constexpr const char* kFactors[] = {
+constexpr const char* kSlopeFactors[] = {
     "x + y - 2 * x * y",
     "x / (y + 3)",
     "-(x - y) + 1.5",
@@ -36,7 +36,7 @@ constexpr const char* kFactors[] = {
     "cond(flip(0.5), log(x * x), y)",
 };
 
-constexpr const char* kModels[] = {
+constexpr const char* kSlopeModels[] = {
     "m = normal(0, 3); s = gamma(2, 1); for y in [0.5, 1.5, 2.0]: observe(Normal(m, precision: s), y); "
     "return m;",
     "p = dirichlet([1, 2, 0.5]); k = [categorical(p) for i in 1..3]; q = [beta(1, 2) for i in 1..3];"
@@ -80,7 +80,7 @@ int compare_slopes(Traced& traced) {
 }
 
 TEST_CASE("gradient: slopes are those of differences, of every operation") {
-  for (const char* factor : kFactors) {
+  for (const char* factor : kSlopeFactors) {
     const std::string text =
         std::string("x = normal(0, 1); y = normal(0.5, 1.5); factor(") + factor + "); return x;";
     INFO(text);
@@ -94,7 +94,7 @@ TEST_CASE("gradient: slopes are those of differences, of every operation") {
 }
 
 TEST_CASE("gradient: slopes are those of differences, of models") {
-  for (const char* text : kModels) {
+  for (const char* text : kSlopeModels) {
     INFO(text);
     int compared = 0;
     for (std::uint64_t seed = 1; seed < 8; ++seed) {
@@ -130,7 +130,7 @@ TEST_CASE("gradient: slopes of angles") {
 }
 
 TEST_CASE("gradient: compiled slopes are those of the machine, bit for bit") {
-  for (const char* text : kModels) {
+  for (const char* text : kSlopeModels) {
     INFO(text);
     Traced traced(text, 3);
     Kernel& compiled = traced.kernel();
