@@ -151,7 +151,16 @@ Kernel::Outcome Kernel::score_slice(std::size_t number) {
     return Outcome::kLeavesTrace;
   if (!std::all_of(slice.required.begin(), slice.required.end(), is_true)) return Outcome::kImpossible;
   difference_ = slice.difference == kNoCell ? 0 : cells_[slice.difference].f;
+  if (difference_ == HUGE_VAL && number < program_.choices.size())
+    note_infinity(number, cells_[program_.cells.size()]);
   return outcome_of(difference_);
+}
+
+void Kernel::note_infinity(ChoiceNumber choice, Scalar value) {
+  if (infinite_) return;
+  infinite_.emplace();
+  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) infinite_->push_back(this->value(i));
+  (*infinite_)[choice] = value;
 }
 
 void Kernel::accept() {
@@ -171,7 +180,10 @@ std::span<const double> Kernel::numbers(ChoiceNumber choice) {
   for (const Cell cell : at.numbers) {
     double number = cells_[cell].f;
     if (at.form == Form::kWeights && !std::isfinite(number)) {
-      if (number == HUGE_VAL) ++infinities_;
+      if (number == HUGE_VAL) {
+        ++infinities_;
+        note_infinity(choice, Scalar::of(at.distribution.value(numbers_.size())));
+      }
       number = -HUGE_VAL;
     }
     numbers_.push_back(number);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/compiler.h"
@@ -67,6 +68,9 @@ class Kernel {
   double difference() const { return difference_; }
   /// How often a density was infinite, which counts as impossible: no distribution has such a value.
   std::uint64_t infinities() const { return infinities_; }
+  /// The values of all choices where it was, when only one of them was another, for the first such time since
+  /// this was asked for.
+  std::optional<std::vector<Scalar>> take_infinite() { return std::exchange(infinite_, std::nullopt); }
   /// Takes over the change that was proposed last, which has to have been scored.
   void accept();
 
@@ -105,6 +109,7 @@ class Kernel {
   void differentiate();
   void derive();
   bool change(ChoiceNumber choice, Scalar value);
+  void note_infinity(ChoiceNumber choice, Scalar value);
 
   ScoreProgram program_;
   std::vector<ChoiceNumber> floats_;  // that can change
@@ -131,6 +136,7 @@ class Kernel {
   double log_score_ = 0;
   std::uint64_t accepted_ = 0;
   std::uint64_t infinities_ = 0;
+  std::optional<std::vector<Scalar>> infinite_;
 };
 
 }  // namespace solitaire

@@ -25,7 +25,10 @@ void ShredChain::sweep() {
   if (warming_up_) steps_in_sweep_ = std::max(steps_in_sweep_, choices());
   if (structure_ != nullptr) path_moves_.scan(*structure_, joint_moves_.ready(), warming_up_);
   for (std::size_t i = 0; i < steps_in_sweep_; ++i) step();
-  if (structure_ != nullptr) joint_moves_.move(structure_->kernel);
+  if (structure_ != nullptr) {
+    look_at_infinity();
+    joint_moves_.move(structure_->kernel);
+  }
   if (restarts_.wanted()) restart();
   if (++sweeps_ % tuning::kSweepsBetweenChecks == 0) compare_with_run();
 }
@@ -175,6 +178,22 @@ void ShredChain::compare_with_run() {
   rerun_.stand_at(state_);
   rerun_.repeat(proposed_);
   check_density(structure_->kernel, proposed_);
+}
+
+/// Where a density is infinite the program makes a mistake, as a run says with its place. What is infinite
+/// all the same is refused.
+void ShredChain::look_at_infinity() {
+  const std::optional<std::vector<Scalar>> values = structure_->kernel.take_infinite();
+  if (!values) return;
+  fetch_state();
+  SampledState infinite = state_;
+  for (ChoiceNumber i = 0; i < values->size(); ++i) {
+    TypedScalar& value = infinite.choices[i].value;
+    value = TypedScalar(value.type(), (*values)[i]);
+  }
+  rerun_.stand_at(infinite);
+  rerun_.repeat(proposed_);
+  rerun_.stand_at(state_);
 }
 
 void ShredChain::end_warmup() {

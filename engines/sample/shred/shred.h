@@ -57,6 +57,7 @@ class ShredChain : public Chain {
   void enter(TracedStructure* structure);
   void enter_proposed();
   void compare_with_run();
+  void look_at_infinity();
 
   RandomStream stream_;
   Rerun rerun_;
