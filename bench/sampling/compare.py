@@ -8,8 +8,8 @@ after the other; of five rounds, or N, the best counts. So a disturbance of the 
 processor, not of the clock. Prints a table in Markdown, a row when its model is done, and takes about seven minutes in all.
 
 - Solitaire: one chain of each engine. Its seconds contain everything: reading the program, the warm-up, the summary. "slices"
-  are Metropolis steps by compiled slices alone, as the programs by hand make them (bench/sampling/figures.cpp); not of models
-  whose choices come and go.
+  are Metropolis steps by compiled slices alone, as the programs by hand make them (bench/sampling/figures.cpp), and
+  "interpreted" the same without machine code; not of models whose choices come and go.
 - By hand: bench/sampling/twins/, in C++; "rescoring" computes the whole density for each step, "incremental" what changes.
 - WebPPL (`npm install webppl@0.9.15` in bench/sampling/webppl): steps of its kernel MH, of the models in that folder, without
   its start.
@@ -38,11 +38,11 @@ TWIN_SECONDS = 0.3
 # How many draws shred and lightweight make, and how many steps WebPPL: a second's work, or less.
 MODELS = {
     "ising": (10000, 40, 3000),
-    "regression": (50000, 400, 5000),
-    "rats": (5000, 10, 2000),
+    "regression": (200000, 400, 5000),
+    "rats": (20000, 10, 2000),
     "mixture": (50000, 200, 10000),
     "infinite_mixture": (30000, 100, 0),
-    "lda": (2000, 4, 1000),
+    "lda": (8000, 4, 1000),
     "hdp": (20000, 60, 0),
     "citations": (50000, 200, 0),
     "sum_or_product": (50000, 4000, 30000),
@@ -82,8 +82,9 @@ def solitaire(program, model, engine, draws, seed):
     return {"steps": summary["steps"] / seconds, "ess": min(sizes, default=0) / seconds}
 
 
-def by_slices(program, model, seed):
-    printed = subprocess.run([program, str(TWIN_SECONDS), model, str(seed + 1)], capture_output=True, text=True, check=True)
+def by_slices(program, model, seed, *how):
+    command = [program, str(TWIN_SECONDS), model, str(seed + 1), *how]
+    printed = subprocess.run(command, capture_output=True, text=True, check=True)
     return {"steps": float(printed.stdout)}
 
 
@@ -215,6 +216,7 @@ def runners(build, compiled, model):
     }
     if model not in OPEN:
         found["slices"] = lambda seed: by_slices(build / "bench" / "sampling_figures", model, seed)
+        found["interpreted"] = lambda seed: by_slices(build / "bench" / "sampling_figures", model, seed, "interpreted")
     if webppl_command() and webppl_steps:
         found["webppl"] = lambda seed: webppl(model, webppl_steps)
     if shutil.which("jags") and model in JAGS_DRAWS:
@@ -238,6 +240,7 @@ COLUMNS = {
     "shred, steps/s": ("shred", "steps"),
     "lightweight": ("lightweight", "steps"),
     "slices": ("slices", "steps"),
+    "interpreted": ("interpreted", "steps"),
     "C++ incremental": ("incremental", "steps"),
     "C++ rescoring": ("rescoring", "steps"),
     "WebPPL MH": ("webppl", "steps"),

@@ -4,11 +4,11 @@
 // is. Prints a table in Markdown.
 //
 //   sampling_figures [SECONDS]
-//   sampling_figures SECONDS MODEL [SEED]
+//   sampling_figures SECONDS MODEL SEED [interpreted]
 //
-// The second prints how many Metropolis steps compiled slices make in a second, as the programs by hand of
-// bench/sampling/twins/ make them: of a choice that is picked, from its distribution or close by. Steps that
-// would leave the path are refused.
+// The second prints how many Metropolis steps compiled slices, or interpreted ones, make in a second, as the
+// programs by hand of bench/sampling/twins/ make them: of a choice that is picked, from its distribution or
+// close by. Steps that would leave the path are refused.
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -113,7 +113,7 @@ void measure(const std::string& model, double time) {
 }
 
 /// How many steps a Metropolis chain on one path makes in a second.
-double metropolis_rate(const std::string& model, double time, std::uint64_t seed) {
+double metropolis_rate(const std::string& model, double time, std::uint64_t seed, bool compiled) {
   const Program program = load_example("sampling/" + model + ".sol");
   const ParamValues params;
   RandomStream stream(seed, Purpose::kSample, 1);
@@ -121,8 +121,10 @@ double metropolis_rate(const std::string& model, double time, std::uint64_t seed
   const SampledState state = rerun.start();
   TracedStructure structure =
       trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
-  structure.load(state);
-  Kernel& kernel = structure.kernel;
+  Kernel kernel(structure.kernel.program(), compiled);
+  std::vector<Scalar> values;
+  for (const MetChoice& choice : state.choices) values.push_back(choice.value.scalar());
+  kernel.load(values);
   Proposer proposer(stream);
   const auto step = [&](std::size_t) {
     const ChoiceNumber choice = stream.below(kernel.program().choices.size());
@@ -144,7 +146,7 @@ double metropolis_rate(const std::string& model, double time, std::uint64_t seed
 int main(int argc, char** argv) {
   const double time = argc > 1 ? std::stod(argv[1]) : 0.2;
   if (argc > 2) {
-    std::printf("%.0f\n", metropolis_rate(argv[2], time, argc > 3 ? std::stoull(argv[3]) : 1));
+    std::printf("%.0f\n", metropolis_rate(argv[2], time, argc > 3 ? std::stoull(argv[3]) : 1, argc < 5));
     return 0;
   }
   std::puts(
