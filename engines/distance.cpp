@@ -67,8 +67,17 @@ void MeanDistance::add(const Features& features) {
   ++count_;
 }
 
+HashedFeatures::HashedFeatures(const Features& features) {
+  std::vector<HashedFeature> sorted = hashed(features);
+  std::ranges::sort(sorted, {}, &HashedFeature::name);
+  for (const auto& [name, valued] : sorted) {
+    names.push_back(name);
+    values.push_back(valued);
+  }
+}
+
 /// Mostly both have the same names, and only their values are to be compared.
-Overlap NearestPair::overlap_of(const Hashed& a, const Hashed& b) {
+Overlap overlap_of(const HashedFeatures& a, const HashedFeatures& b) {
   Overlap overlap{0, a.names.size()};
   if (a.names == b.names) {
     for (std::size_t i = 0; i < a.values.size(); ++i) overlap.shared += a.values[i] == b.values[i] ? 1 : 0;
@@ -88,14 +97,8 @@ Overlap NearestPair::overlap_of(const Hashed& a, const Hashed& b) {
 
 void NearestPair::add(const Features& features) {
   if (gave_up_) return;
-  std::vector<HashedFeature> sorted = hashed(features);
-  std::ranges::sort(sorted, {}, &HashedFeature::name);
-  Hashed added;
-  for (const auto& [name, valued] : sorted) {
-    added.names.push_back(name);
-    added.values.push_back(valued);
-  }
-  for (const Hashed& each : all_) {
+  HashedFeatures added(features);
+  for (const HashedFeatures& each : all_) {
     const Overlap overlap = overlap_of(each, added);
     nearest_ = std::min(nearest_.value_or(1), overlap.distance());
     compared_ += 1 + overlap.all;  // pairs without names take time as well

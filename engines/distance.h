@@ -58,6 +58,14 @@ struct HashedFeature {
 };
 std::vector<HashedFeature> hashed(const Features& features);
 
+/// Features made ready to be compared with many others: names as hashes in rising order, and at the same
+/// places the hashes of each name with its value.
+struct HashedFeatures {
+  explicit HashedFeatures(const Features& features);
+  std::vector<std::uint64_t> names, values;
+};
+Overlap overlap_of(const HashedFeatures& a, const HashedFeatures& b);
+
 /// The mean distance of all pairs out of a set: 1 - (sum of Overlap::shared) / (sum of Overlap::all), so that
 /// a pair counts by how many names it has. Where all have the same names, that is the plain mean. It depends
 /// on the set alone, and not on the order in which it came.
@@ -86,13 +94,7 @@ class NearestPair {
   std::optional<double> value() const { return gave_up_ ? std::nullopt : nearest_; }
 
  private:
-  /// The names, as hashes in rising order, and at the same places the pairs of a name and its value.
-  struct Hashed {
-    std::vector<std::uint64_t> names, values;
-  };
-  static Overlap overlap_of(const Hashed& a, const Hashed& b);
-
-  std::vector<Hashed> all_;
+  std::vector<HashedFeatures> all_;
   std::optional<double> nearest_;
   std::uint64_t compared_ = 0;
   bool gave_up_ = false;

@@ -18,13 +18,38 @@ namespace {
 
 using Model = std::vector<std::optional<std::int64_t>>;  // the values of the choices, where they have any
 
-/// Returns true if two models differ in few choices. Choices that one of them lacks count as different.
-bool is_near(const Model& a, const Model& b) {
+/// Returns the share of choices in which two models differ. Choices that one of them lacks count as
+/// different.
+double distance(const Model& a, const Model& b) {
   const std::size_t all = std::max(a.size(), b.size());
   std::size_t differ = all - std::min(a.size(), b.size());
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) differ += a[i] != b[i] ? 1 : 0;
-  return static_cast<double>(differ) < tuning::kNearModels * static_cast<double>(all);
+  return static_cast<double>(differ) / static_cast<double>(std::max<std::size_t>(all, 1));
 }
+
+/// Remembers the last models, and says which others are much nearer to one of them than they are to each
+/// other.
+class LastModels {
+ public:
+  void add(const Model& model) {
+    for (const Model& earlier : models_) distances_ += distance(model, earlier);
+    pairs_ += models_.size();
+    models_.push_back(model);
+    if (models_.size() > tuning::kModelsToLeave) models_.pop_front();
+  }
+
+  bool is_near(const Model& model) const {
+    const double usual = pairs_ == 0 ? 1 : distances_ / static_cast<double>(pairs_);
+    return std::ranges::any_of(models_, [&](const Model& earlier) {
+      return distance(model, earlier) < tuning::kNearModels * usual;
+    });
+  }
+
+ private:
+  std::deque<Model> models_;
+  double distances_ = 0;  // summed over all pairs that were remembered at a time
+  std::size_t pairs_ = 0;
+};
 
 class NearbyThenCadical : public Solver, private ClauseSink {
  public:
@@ -47,7 +72,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
     if (verdict == Verdict::kSatisfiable) {
       model_ = cadical_model();
       if (had_suggestions) leave_last_models(assumed, signal);
-      remember(model_);
+      last_models_.add(model_);
     }
     if (verdict == Verdict::kUnsatisfiable) core_ = cadical_.core(assumptions, assumed);
     return verdict;
@@ -115,11 +140,12 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   }
 
   /// Goes CaDiCaL's own way for a while, then begins anew with all literals true, so that ints in order
-  /// encoding have their greatest values, and with all of them false. Random values can lead a search to
-  /// where it takes hundreds of times as long. If neither end helps once, that is not tried again.
+  /// encoding have their greatest values, and with all of them false, or the other way round. Random values
+  /// can lead a search to where it takes hundreds of times as long. If neither end helps once, that is not
+  /// tried again.
   Verdict search_from_ends(std::span<const int> assumed, const StopSignal& signal) {
     Verdict verdict = cadical_.solve(assumed, signal, tuning::kConflictsOfOneWay);
-    for (const bool phase : {true, false}) {
+    for (const bool phase : {first_end_, !first_end_}) {
       if (verdict != Verdict::kStopped || signal.stopped()) return verdict;
       cadical_.start_anew(random_.next(), phase);
       verdict = cadical_.solve(assumed, signal, tuning::kConflictsOfOneWay);
@@ -130,30 +156,23 @@ class NearbyThenCadical : public Solver, private ClauseSink {
 
   /// Begins anew, from the same suggestions, as long as the model is one near those of before, and not too
   /// often: a search that has to go its own way returns to where it ended before. Where all models are near
-  /// each other that is in vain, and is tried more and more rarely.
+  /// each other that is in vain, and is tried more and more rarely. Each time the other end of the ranges is
+  /// the one that is tried first, as searches from one end end near each other.
   void leave_last_models(std::span<const int> assumed, const StopSignal& signal) {
-    if (conflicts_ > 0 || !is_near_earlier(model_)) return;
+    if (conflicts_ > 0 || !last_models_.is_near(model_)) return;
     if (checks_to_skip_ > 0) {
       --checks_to_skip_;
       return;
     }
-    for (unsigned i = 0; i < tuning::kNewBeginnings && is_near_earlier(model_); ++i) {
+    for (unsigned i = 0; i < tuning::kNewBeginnings && last_models_.is_near(model_); ++i) {
       cadical_.start_anew(random_.next());
+      first_end_ = !first_end_;
       has_suggestions_ = true;
       if (ask_cadical(assumed, signal) != Verdict::kSatisfiable) return;
       model_ = cadical_model();
     }
-    in_vain_ = is_near_earlier(model_) ? in_vain_ + 1 : 0;
+    in_vain_ = last_models_.is_near(model_) ? in_vain_ + 1 : 0;
     checks_to_skip_ = (1U << std::min(in_vain_, 20U)) - 1;
-  }
-
-  bool is_near_earlier(const Model& model) const {
-    return std::ranges::any_of(last_models_, [&](const Model& earlier) { return is_near(model, earlier); });
-  }
-
-  void remember(const Model& model) {
-    last_models_.push_back(model);
-    if (last_models_.size() > tuning::kModelsToLeave) last_models_.pop_front();
   }
 
   Model cadical_model() const {
@@ -182,9 +201,10 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   RandomStream random_;
   bool has_suggestions_ = false;  // there are suggestions that CaDiCaL has not followed yet
   Model model_;
-  std::deque<Model> last_models_;  // that CaDiCaL found
-  unsigned in_vain_ = 0;           // so many times in a row no new beginning led away from earlier models
+  LastModels last_models_;  // that CaDiCaL found
+  unsigned in_vain_ = 0;    // so many times in a row no new beginning led away from earlier models
   unsigned checks_to_skip_ = 0;
+  bool first_end_ = true;  // all literals are true first, then false
   bool ends_help_ = true;  // to begin at the ends of the ranges has not been in vain
   std::vector<NodeId> core_;
   std::uint64_t conflicts_ = 0;  // CaDiCaL gives up after so many; 0: it does not

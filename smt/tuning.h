@@ -94,10 +94,11 @@ inline constexpr std::uint64_t kConflictsNearSuggestions = 300;
 /// about to be found; with this they take as long as without, and those of five a third of it.
 inline constexpr std::uint64_t kConflictsOfOneWay = 8000;
 
-/// CaDiCaL begins anew where its model differs from one of its last in a smaller share of the choices; see
-/// "Random values" in docs/engine.md. With 0.3, tight rooms of two and three groups took half as long again
-/// and were no farther apart.
-inline constexpr double kNearModels = 0.05;
+/// CaDiCaL begins anew where the distance of its model from one of its last is a smaller share of their mean
+/// distance from each other; see "Random values" in docs/engine.md. Where all distances below 0.3 were too
+/// near, tight rooms of two and three groups, in which models are nearer, took half as long again and were no
+/// farther apart.
+inline constexpr double kNearModels = 1.0 / 3;
 /// It begins anew so often at most for one model, and looks at so many of the last ones. Judgement.
 inline constexpr unsigned kNewBeginnings = 3;
 inline constexpr std::size_t kModelsToLeave = 16;

@@ -81,6 +81,7 @@ std::size_t Series::known_to(const Block& block) const {
 
 void Series::start(const Block& block) {
   const Block before = std::exchange(block_, block);
+  distance_.start_block();
   if (lists_rest(before, block_)) {
     searches_.clear();
   } else if (in_background()) {
@@ -163,6 +164,7 @@ std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {
   if (block.number == 0) return known;
   searches_.clear();
   block_ = block;
+  distance_.start_block();
   if (in_background()) {
     start_searches();
   } else if (manner_ != Manner::kRest) {
@@ -172,6 +174,7 @@ std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {
 }
 
 void Series::remember(const Solution& solution) {
+  distance_.add(solution);
   solutions_.push_back(all_choices(solution));
   choices_.insert(key(solution.choices));
   if (options_.apart != Apart::kChoices) results_.add(solution);
@@ -210,22 +213,38 @@ bool Series::catch_up() {
 std::optional<Solution> Series::next_new() {
   while (true) {
     if (solutions_.size() >= block_.end) start(block_after(block_));
-    std::optional<Solution> solution = next_of_block();
+    std::optional<Solution> solution = next_far();
     if (!solution) {
       if (ending_ == Ending::kExhausted && options_.apart == Apart::kResult)
         names_are_chosen_ = chooses_names(engine_->traced().pass());
       return solution;
     }
-    if (!choices_.insert(key(solution->choices)).second) continue;  // another block found it
+    choices_.insert(key(solution->choices));
     if (options_.apart != Apart::kChoices && !results_.add(*solution)) {
       ++alike_;
       if (!in_background()) engine_->hear_of_alike();
       continue;
     }
     solutions_.push_back(all_choices(*solution));
+    distance_.add(*solution);
     engine_->keep_away_from(solution->choices);
     return solution;
   }
+}
+
+/// Returns a solution of the block that no other block has found, and that is far from those of other blocks
+/// if such a one is soon found.
+std::optional<Solution> Series::next_far() {
+  const auto find = [this] {
+    std::optional<Solution> solution = next_of_block();
+    while (solution && choices_.count(key(solution->choices)) != 0) solution = next_of_block();
+    return solution;
+  };
+  if (manner_ != Manner::kBlocks) return find();
+  std::optional<Solution> solution = distance_.next(find);
+  if (!solution && ending_ == Ending::kExhausted) solution = distance_.take_aside();
+  if (solution) ending_ = Ending::kNone;
+  return solution;
 }
 
 std::optional<Solution> Series::next_of_rest() {

@@ -11,6 +11,7 @@
 #include "engines/distinct.h"
 #include "engines/solution_stream.h"
 #include "engines/solve/background_search.h"
+#include "engines/solve/block_distance.h"
 #include "tracegraph/valuation.h"
 
 namespace solitaire {
@@ -28,7 +29,8 @@ struct SeriesOptions {
 /// The solutions that TracingEngines find, block by block. Each block has an engine of its own, and a stream
 /// of random numbers. It knows the solutions of the blocks before, but not of the last few, so that several
 /// can be worked on at a time, with the same result however many these are; what other blocks have found,
-/// too, is left out. A series that was interrupted repeats the search from the start of its block on.
+/// too, is left out, and of the first solutions also what is near it. A series that was interrupted repeats
+/// the search from the start of its block on.
 ///
 /// Where most solutions have come, those that are left are listed, and come in a random order. When that is
 /// looked at depends on the number of solutions alone, so that it is at the same place after an interruption.
@@ -79,6 +81,7 @@ class Series : public SolutionStream,
   void start_searches();
   std::unique_ptr<BackgroundSearch> search(const Block& block) const;
   std::optional<Solution> next_new();
+  std::optional<Solution> next_far();
   std::optional<Solution> next_of_block();
   void remember(const Solution& solution);
 
@@ -93,6 +96,7 @@ class Series : public SolutionStream,
   EngineTimes past_times_;  // what finished engines and searches took
   std::function<void(const Solution&)> told_;
   Block block_;
+  BlockDistance distance_;
   std::vector<Valuation> rest_;  // with Manner::kRest, what is still to come, and some that came already
   DistinctResults results_;
   std::unordered_set<std::string> choices_;  // of all solutions so far

@@ -1,10 +1,12 @@
 // A series of solutions that was interrupted goes on as if it had not been.
 #include "engines/solve/series.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <set>
 
+#include "engines/distance.h"
 #include "smt/write_dimacs.h"
 #include "tests/solve/proof.h"
 #include "tests/support/program_run.h"
@@ -67,6 +69,34 @@ void check_resumed(const char* text, const SeriesOptions& options, const std::ve
 /// 1305 solutions: 870 pairs, half of which have two.
 constexpr const char* kPairs =
     "x = range(0, 29); y = range(0, 29); assert(x != y); if x > y { z = flip(); } return x;";
+
+/// The least distance of two solutions of different blocks, of which the first has four.
+double nearest_of_blocks(Series& series, std::size_t count) {
+  std::vector<HashedFeatures> blocks[2];
+  double nearest = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    HashedFeatures features(choice_features(series.next()->choices));
+    for (const HashedFeatures& other : blocks[0])
+      if (i >= 4) nearest = std::min(nearest, overlap_of(features, other).distance());
+    blocks[i < 4 ? 0 : 1].push_back(std::move(features));
+  }
+  return nearest;
+}
+
+TEST_CASE("series: solutions of blocks that do not know each other are apart") {
+  // Of two random solutions, one pair in eighteen has two choices at most that differ.
+  const Program program = program_of("x = [range(0, 1) for i in 1..10]; assert(sum(x) > 0); return x;");
+  for (const std::size_t jobs : {1, 3}) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      TracingOptions tracing;
+      tracing.seed = seed;
+      SeriesOptions options;
+      options.jobs = jobs;
+      Series series(program, {}, tracing, options);
+      CHECK(nearest_of_blocks(series, 12) >= 0.3);
+    }
+  }
+}
 
 TEST_CASE("series: where most solutions have come, the rest comes as from a list in random order") {
   const Program program = program_of(kPairs);
