@@ -87,6 +87,14 @@ TEST_CASE("models: a slope and an intercept far from the data, which single step
   CHECK(std::abs(b["mean"].get<double>() - slope) < 4 * b["mcse"].get<double>());
   CHECK(b["ess_bulk"].get<double>() > 300);
   CHECK(b["rhat"].get<double>() < 1.03);
+  CHECK(summary["moves"].dump().find("nuts") != std::string::npos);
+}
+
+TEST_CASE("models: floats that hang together by their labels alone do not move together") {
+  const auto script = std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "examples/sampling/mixture.sol";
+  const Outcome outcome = run_solitaire({"sample", script, "-n", "4000", "--json", "-q"});
+  REQUIRE(outcome.status == 0);
+  CHECK(nlohmann::json::parse(outcome.out)["moves"].dump().find("nuts") == std::string::npos);
 }
 
 TEST_CASE("models: the published answers for rats, on traces (slow)") {

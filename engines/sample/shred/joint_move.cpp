@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engines/sample/shred/float_space.h"
 #include "engines/sample/shred/trajectory.h"
 
 namespace solitaire {

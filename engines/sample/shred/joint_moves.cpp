@@ -21,6 +21,7 @@ void JointMoves::enter(const TracedStructure* structure) {
 
 void JointMoves::move(Kernel& kernel) {
   if (present_ == nullptr) return;
+  if (warming_up_) present_->watch_single_moves(kernel);
   if (present_->ready()) {
     const JointMove::Result result = present_->move(kernel, stream_, warming_up_);
     moves_.add(Move::kJoint, result.moved);
