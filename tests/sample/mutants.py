@@ -284,11 +284,13 @@ def with_faults(name, text):
 
 
 def copy_tree(source, folder):
-    """Writes those of the tree's files alone that differ, so that little is built anew."""
+    """Writes those of the tree's files alone that differ, so that little is built anew, and removes those that it has no more."""
     listed = subprocess.run(["git", "-C", source, "ls-files", "-z"], check=True, capture_output=True).stdout
-    for name in filter(None, listed.decode().split("\0")):
-        if not (source / name).is_file():
-            continue
+    names = {name for name in listed.decode().split("\0") if name and (source / name).is_file()}
+    for path in folder.rglob("*"):
+        if path.is_file() and str(path.relative_to(folder)) not in names:
+            path.unlink()
+    for name in names:
         content = (source / name).read_bytes()
         if any(mutant.file == name for mutant in MUTANTS):
             content = with_faults(name, content.decode()).encode()
