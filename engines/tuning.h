@@ -173,6 +173,10 @@ constexpr std::uint64_t kEffortForBetter = 5000;
 constexpr std::uint64_t kEffortGrowth = 4;
 constexpr std::uint64_t kMostEffortForBetter = std::uint64_t{1} << 40;  // no solver comes to that
 
+/// A cost of so many terms is looked into by cores, if each term has so few steps. Judgement.
+constexpr std::size_t kManyCosts = 8;
+constexpr std::int64_t kMostStepsOfCost = 64;
+
 /// Conflicts of the search after which the question whether a near miss can come nearer is given up.
 constexpr std::uint64_t kEffortForNearness = 2000;
 

@@ -37,11 +37,14 @@ BestFirst::BestFirst(ExecutionSolver& solver, const TracingOptions& options, Sto
 void BestFirst::meet_pass() {
   objective_ = checked_objective(solver_.graph(), solver_.trace(), relax_);
   if (relax_) miss_ = checked_miss(solver_.graph(), solver_.trace());
+  cores_.reset();
+  if (solver_.trace().blockers.empty() && solver_.exact())
+    cores_ = CostCores::of(solver_.graph(), objective_);
 }
 
 std::vector<NodeId> BestFirst::at_most(const Most& most) {
   Graph& graph = solver_.graph();
-  std::vector<NodeId> conditions;
+  std::vector<NodeId> conditions = most.conditions;
   const auto add = [&](NodeId number, std::int64_t bound) {
     const NodeId good = graph.apply(Op::kLeInt, {number, graph.constant(bound)});
     conditions.push_back(graph.disjunction(good, solver_.unexplored()));
@@ -53,7 +56,7 @@ std::vector<NodeId> BestFirst::at_most(const Most& most) {
 
 Attempt BestFirst::next(const Search& search, const Told& told, Clock::time_point start) {
   Attempt best;
-  if (last_was_best_) best = search({proved_, {}});  // perhaps there is another one as good
+  if (last_was_best_) best = as_good_as_last(search);
   if (!best.found && best.ending != Ending::kStopped) best = search({});
   if (!best.found) return best;
   limit_time(start);
@@ -80,6 +83,12 @@ void BestFirst::limit_time(Clock::time_point start) {
   stop_.set_deadline(start + std::chrono::duration_cast<Clock::duration>(time));
 }
 
+/// Perhaps there is another one as good.
+Attempt BestFirst::as_good_as_last(const Search& search) {
+  if (cores_ && cores_->wants_all()) return search({{}, {}, cores_->wanted()});
+  return search({proved_, {}, {}});
+}
+
 /// Makes the solution better until it is proved that no better one is left, or a limit comes. A question that
 /// takes long is given up, and an easier one asked, for a solution that is better by less. Once all have been
 /// given up, they get more time. So one that cannot be decided keeps nobody from what can be found.
@@ -87,20 +96,50 @@ void BestFirst::improve(Candidate& best, const Search& search, const Told& told)
   if (solver_.trace().blockers.empty())
     proved_ = std::max(proved_, solver_.graph().node(objective_).interval.lo);
   stride_ = 1;
-  std::uint64_t effort = tuning::kEffortForBetter;
+  Progress progress = Progress::kGivenUp;
+  for (std::uint64_t effort = tuning::kEffortForBetter;
+       progress == Progress::kGivenUp && effort <= tuning::kMostEffortForBetter;
+       effort *= tuning::kEffortGrowth) {
+    solver_.limit_effort(effort);
+    progress = raise_by_cores(best, search, told);
+    if (progress == Progress::kGivenUp) progress = bisect(best, search, told);
+  }
+  solver_.limit_effort(0);
+  last_was_best_ = best.rank <= proved_;
+  best.solution.quality->proved = last_was_best_;
+  tell_bound(best);
+}
+
+/// Each core raises what is proved. So do costs of which none has to be paid, in the end.
+BestFirst::Progress BestFirst::raise_by_cores(Candidate& best, const Search& search, const Told& told) {
+  while (best.rank > proved_) {
+    if (!cores_) return Progress::kGivenUp;
+    tell(best, told);
+    const bool wanted_all = cores_->wants_all();
+    Attempt better = search({{}, {}, cores_->wanted()});
+    if (!cores_) continue;  // a new pass has sides that are closed
+    if (better.found) {
+      if (better.found->rank < best.rank) best = std::move(*better.found);
+      if (wanted_all) proved_ = cores_->least();
+      cores_->want_more();
+    } else if (better.ending == Ending::kExhausted && cores_->raise(solver_.core())) {
+      proved_ = std::max(proved_, cores_->least());
+    } else {
+      return better.ending == Ending::kStopped && !stop_.stopped() ? Progress::kGivenUp : Progress::kEnded;
+    }
+  }
+  return Progress::kProved;
+}
+
+/// Asks for a solution half way between the best one and what was proved impossible or given up.
+BestFirst::Progress BestFirst::bisect(Candidate& best, const Search& search, const Told& told) {
   std::int64_t given_up = proved_;  // what would be better than this was given up
   while (best.rank > proved_) {
-    tell_bound(best);
-    if (told) told(best.solution);
+    tell(best, told);
     given_up = std::max(given_up, proved_);
-    if (given_up >= best.rank) {
-      if (effort > tuning::kMostEffortForBetter) break;
-      given_up = proved_;
-      effort *= tuning::kEffortGrowth;
-    }
+    if (given_up >= best.rank) return Progress::kGivenUp;
     const std::int64_t most = target(best.rank, given_up);
-    solver_.limit_effort(effort);
-    Attempt better = search({most, {}});
+    Attempt better = search({most, {}, {}});
     if (better.found) {
       best = std::move(*better.found);
     } else if (better.ending == Ending::kExhausted) {
@@ -108,13 +147,15 @@ void BestFirst::improve(Candidate& best, const Search& search, const Told& told)
     } else if (better.ending == Ending::kStopped && !stop_.stopped()) {
       given_up = most + 1;
     } else {
-      break;  // the next search will find whether it has to end
+      return Progress::kEnded;  // the next search will find whether it has to end
     }
   }
-  solver_.limit_effort(0);
-  last_was_best_ = best.rank <= proved_;
-  best.solution.quality->proved = last_was_best_;
+  return Progress::kProved;
+}
+
+void BestFirst::tell(Candidate& best, const Told& told) const {
   tell_bound(best);
+  if (told) told(best.solution);
 }
 
 /// Of near misses the rank is more than the cost.
@@ -130,7 +171,7 @@ void BestFirst::bring_near(Candidate& best, const Search& search) {
   solver_.limit_effort(tuning::kEffortForNearness);
   for (std::int64_t impossible = -1; best.miss - impossible > 1 && !stop_.stopped();) {
     const std::int64_t most = impossible + (best.miss - impossible) / 2;
-    Attempt nearer = search({best.rank, most});
+    Attempt nearer = search({best.rank, most, {}});
     if (nearer.found && nearer.found->miss <= most) {
       best = std::move(*nearer.found);
     } else {

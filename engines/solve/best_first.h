@@ -6,6 +6,7 @@
 
 #include "base/stop_signal.h"
 #include "engines/solve/executions/execution_solver.h"
+#include "engines/solve/wishes/cost_cores.h"
 
 namespace solitaire {
 
@@ -23,16 +24,17 @@ struct Attempt {
   Ending ending = Ending::kNone;  // why nothing was found
 };
 
-/// Finds the best solution that is left, where the program has wishes or its asserts may be broken: by
-/// bisection between the best so far and what has been proved impossible, or takes longer than the rest.
-/// Where solutions are all as good, the first one that is found is the best. A near miss is then brought as
-/// near to the asserts as a bounded effort allows.
+/// Finds the best solution that is left, where the program has wishes or its asserts may be broken: by cores
+/// where the cost is a sum of many, and by bisection between the best so far and what has been proved
+/// impossible, or takes longer than the rest. Where solutions are all as good, the first one that is found is
+/// the best. A near miss is then brought as near to the asserts as a bounded effort allows.
 class BestFirst {
  public:
   /// What a solution may come to at most; without a number, to anything.
   struct Most {
     std::optional<std::int64_t> rank;
     std::optional<std::int64_t> miss;  // by which it misses the asserts, of near misses
+    std::vector<NodeId> conditions;    // that hold in it, beside these
   };
   /// Looks for a solution within these.
   using Search = std::function<Attempt(const Most& most)>;
@@ -59,7 +61,15 @@ class BestFirst {
   Attempt next(const Search& search, const Told& told, Clock::time_point start);
 
  private:
+  /// What became of some questions: the solution is proved the best; they took long, and were given up; or
+  /// there is nothing more to ask, mostly since a limit came.
+  enum class Progress : std::uint8_t { kProved, kGivenUp, kEnded };
+
+  Attempt as_good_as_last(const Search& search);
   void improve(Candidate& best, const Search& search, const Told& told);
+  Progress raise_by_cores(Candidate& best, const Search& search, const Told& told);
+  Progress bisect(Candidate& best, const Search& search, const Told& told);
+  void tell(Candidate& best, const Told& told) const;
   void tell_bound(Candidate& best) const;
   void bring_near(Candidate& best, const Search& search);
   std::int64_t target(std::int64_t rank, std::int64_t given_up);
@@ -72,6 +82,7 @@ class BestFirst {
   StopSignal& stop_;
   NodeId objective_ = kFalse;
   NodeId miss_ = kFalse;             // as of miss_of, where asserts may be broken
+  std::optional<CostCores> cores_;   // of the objective, if it is a sum of many and all paths are explored
   std::int64_t proved_ = INT64_MIN;  // no solution that is left has a lower rank
   std::int64_t stride_ = 1;          // towards what is impossible, while it is not known where that is
   bool last_was_best_ = false;       // the last solution has the rank proved_

@@ -136,6 +136,43 @@ TEST_CASE("best: wishes on some paths, in loops and in functions cost only where
       false);
 }
 
+TEST_CASE("best: many weighted wishes, of which not all can be had, whatever explores and solves") {
+  check_order(
+      "a = [range(0, 2) for i in 0..4]; assert(a[0] != a[1] and a[2] != a[3] and sum(a) > 3);\n"
+      "for i in 0..4 { prefer(a[i] == 0, i + 1); prefer(a[i] < 2, 3); } return a;",
+      false);
+  check_order(
+      "a = [flip() for i in 0..6]; assert(length([x for x in a if x]) == 3);\n"
+      "for i in 0..6 { prefer(a[i], 1 + i % 3); prefer(not a[i] or a[(i + 2) % 7], 2); } minimize(cond(a[0], "
+      "4, 1));\n"
+      "return a;",
+      false);
+  check_order(
+      "a = [range(0, 2) for i in 0..3]; for i in 0..2 { assert(a[i] < a[i + 1]); }\n"
+      "for x in a { for k in 0..2: prefer(x == k, k + 1); } return a;",
+      true);
+}
+
+TEST_CASE("best: bounds are told as they close, and never pass each other") {
+  const Program program = program_of(
+      "a = [range(0, 3) for i in 0..9]; for i in 0..8: assert(a[i] != a[i + 1]);\n"
+      "for i in 0..9 { prefer(a[i] == 0, 1 + i % 4); prefer(a[i] == 1, 1 + i % 3); } return a;");
+  TracingEngine engine(program, {}, {});
+  std::vector<std::int64_t> costs, bounds;
+  engine.on_improvement([&](const Solution& solution) {
+    costs.push_back(solution.quality->cost);
+    bounds.push_back(solution.quality->least_cost.value_or(0));
+  });
+  const auto solution = engine.next();
+  REQUIRE(solution.has_value());
+  CHECK(solution->quality->proved);
+  CHECK(std::is_sorted(costs.rbegin(), costs.rend()));
+  CHECK(std::ranges::is_sorted(bounds));
+  REQUIRE(bounds.size() > 3);
+  CHECK(bounds.front() < bounds.back());
+  CHECK(bounds.back() <= solution->quality->cost);
+}
+
 TEST_CASE("best: near misses break as few asserts as can be, and of those the cheapest come first") {
   check_order("x = range(0, 3); y = range(0, 3); assert(y > 0 and x > 5); assert(x + y < 3); return x;",
               true);

@@ -6,17 +6,11 @@
 #include <utility>
 
 #include "base/floor_division.h"
+#include "engines/solve/conclusions/linear_sum.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
 namespace {
-
-/// Numbers beyond this are not counted with, so that nothing here leaves 64 bits.
-constexpr std::int64_t kLargest = std::int64_t{1} << 30;
-
-bool is_small(std::int64_t number) { return -kLargest <= number && number <= kLargest; }
-
-bool is_small(Interval range) { return is_small(range.lo) && is_small(range.hi); }
 
 /// The least that a term can come to.
 std::int64_t least(const LinearTerm& term, Interval range) {
@@ -59,48 +53,18 @@ void LinearFacts::add(SignedNode comparison) {
 
 /// Adds from + least <= to.
 void LinearFacts::add(NodeId from, NodeId to, std::int64_t least, SignedNode because) {
-  Sum sum;
-  if (!add_to(sum, from, 1) || !add_to(sum, to, -1)) return;
+  LinearSum sum(graph_);
+  if (!sum.add(from, 1) || !sum.add(to, -1)) return;
   LinearFact fact;
-  fact.row.most = -least - sum.constant;
+  fact.row.most = -least - sum.constant();
   fact.because.push_back(because);
-  for (const auto& [number, factor] : sum.factors) {
-    if (factor != 0) fact.row.terms.push_back({number, factor});
+  for (const LinearSum::Term& term : sum.terms()) {
+    const std::size_t number = unknown(term.node, term.range);
+    if (term.factor != 0) fact.row.terms.push_back({number, term.factor});
   }
   std::ranges::sort(fact.row.terms, {}, &LinearTerm::unknown);
   divide(fact.row);
   facts_.push_back(std::move(fact));
-}
-
-/// Adds a multiple of an int to a sum. Returns false if that has too many terms, or too large ones.
-bool LinearFacts::add_to(Sum& sum, NodeId node, std::int64_t factor) {
-  std::vector<std::pair<NodeId, std::int64_t>> pending{{node, factor}};
-  for (std::size_t steps = 0; !pending.empty(); ++steps) {
-    const auto [id, times] = pending.back();
-    pending.pop_back();
-    const Graph::Node& at = graph_.node(id);
-    if (steps > tuning::kMostLinearTerms || !is_small(times) || !is_small(at.interval)) return false;
-    const auto value = [&](std::size_t i) { return graph_.node(at.operands[i]).interval; };
-    if (at.is_constant()) {
-      if (!is_small(sum.constant += times * at.interval.lo)) return false;
-    } else if (at.op == Op::kAdd || at.op == Op::kSub) {
-      pending.emplace_back(at.operands[1], at.op == Op::kAdd ? times : -times);
-      pending.emplace_back(at.operands[0], times);
-    } else if (at.op == Op::kNeg) {
-      pending.emplace_back(at.operands[0], -times);
-    } else if (at.op == Op::kMul && (value(0).single() || value(1).single())) {
-      const std::size_t constant = value(0).single() ? 0 : 1;
-      if (!is_small(value(constant).lo)) return false;
-      pending.emplace_back(at.operands[1 - constant], times * value(constant).lo);
-    } else if (at.op == Op::kIteInt && value(1).single() && value(2).single()) {
-      if (!is_small(times * value(1).lo) || !is_small(times * value(2).lo)) return false;
-      sum.constant += times * value(2).lo;
-      sum.factors[unknown(at.operands[0], {0, 1})] += times * (value(1).lo - value(2).lo);
-    } else {
-      sum.factors[unknown(id, at.interval)] += times;
-    }
-  }
-  return is_small(sum.constant);
 }
 
 std::size_t LinearFacts::unknown(NodeId node, Interval range) {

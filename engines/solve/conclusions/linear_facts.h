@@ -26,8 +26,7 @@ struct Unknown {
       high;  // conditions from which the ends follow, if not from the node's interval
 };
 
-/// Reads comparisons of ints as linear facts. Of sums, differences, multiples by constants and `cond(b, 3,
-/// 0)` it reads what they are made of; everything else is an unknown.
+/// Reads comparisons of ints as linear facts about what LinearSum takes them apart into.
 class LinearFacts {
  public:
   explicit LinearFacts(const Graph& graph) : graph_(graph) {}
@@ -43,14 +42,7 @@ class LinearFacts {
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
 
  private:
-  /// A sum of terms and a constant.
-  struct Sum {
-    std::unordered_map<std::size_t, std::int64_t> factors;
-    std::int64_t constant = 0;
-  };
-
   void add(NodeId from, NodeId to, std::int64_t least, SignedNode because);
-  bool add_to(Sum& sum, NodeId node, std::int64_t factor);
   std::size_t unknown(NodeId node, Interval range);
   bool narrow();
   bool narrow(const LinearFact& fact, const LinearTerm& term);

@@ -86,15 +86,19 @@ void ExecutionSolver::tell_over_full() {
   for (const OverFull& found : find_over_full(graph_, separations)) tell(found);
 }
 
-/// Does the same for sums that ask for more than others allow, if what is required and assumed says so.
+/// Does the same for sums that ask for more than others allow, if what is required and assumed says so. After
+/// some looks in vain at what is assumed it looks more and more rarely: a search for the best can ask hundreds
+/// of questions.
 void ExecutionSolver::tell_sum_conflict(const std::vector<NodeId>& assumptions) {
   if (options_.method->asserts_closed_sides()) return;
-  if (assumptions.empty() && counted_pass_ == synced_pass_) return;
+  if (counted_pass_ == synced_pass_ && (assumptions.empty() || questions_to_skip_-- > 0)) return;
   counted_pass_ = synced_pass_;
   std::vector<SignedNode> comparisons = comparisons_;
   const Separations assumed = find_separations(graph_, assumptions);
   comparisons.insert(comparisons.end(), assumed.comparisons.begin(), assumed.comparisons.end());
   const auto found = find_sum_conflict(graph_, comparisons);
+  sums_in_vain_ = found ? 0 : sums_in_vain_ + 1;
+  questions_to_skip_ = (std::int64_t{1} << std::min(sums_in_vain_ / 2, 20)) - 1;
   if (!found) return;
   for (const NodeId sum : implied_sums_) require(sum);  // the solver needs them for this alone
   tell(*found);

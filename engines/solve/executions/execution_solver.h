@@ -136,6 +136,8 @@ class ExecutionSolver {
   std::vector<NodeId> implied_, implied_sums_;  // as find_permutations() gives them
   std::vector<SignedNode> comparisons_;         // that every execution fulfils
   std::size_t counted_pass_ = 0;                // the pass whose sums were looked at
+  int sums_in_vain_ = 0;                        // so many times in a row
+  std::int64_t questions_to_skip_ = 0;          // before sums are looked at again
 };
 
 /// Says why there is no further solution when the search for one came to this.
