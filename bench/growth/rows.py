@@ -60,6 +60,7 @@ def rows():
         Row("over_full_tables", (6, 7, 8, 9, 10), "none", params=SIDE),
         Row("over_full_roster", (8, 16, 21, 30), "none"),
         Row("bin_packing", (9, 12, 15, 18, 21), "best"),
+        Row("nurse_roster", (8, 12, 16, 24), "best"),
         Row("golomb", (6, 7, 8, 9), "best"),
         Row("panels", (20, 30, 40, 48), "best", params={"most": lambda n: n}),
         Row("branches_if", (10, 20, 40, 60)),

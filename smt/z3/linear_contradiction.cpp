@@ -9,6 +9,55 @@
 namespace solitaire {
 namespace {
 
+/// The rows themselves, as a system of linear inequalities.
+class Rows {
+ public:
+  Rows(std::span<const LinearRow> rows, std::span<const Interval> ranges) {
+    z3::params params(context_);
+    params.set("rlimit", tuning::kMostLinearEffort);
+    params.set("ctrl_c", false);
+    solver_.set(params);
+    for (const Interval range : ranges) {
+      unknowns_.push_back(constant(context_.real_sort()));
+      solver_.add(unknowns_.back() >= number(range.lo) && unknowns_.back() <= number(range.hi));
+    }
+    first_row_ = made_;
+    for (const LinearRow& row : rows) add(row);
+  }
+
+  /// Returns the numbers of rows that cannot hold together, or nothing if all can or the search takes too
+  /// long.
+  std::vector<std::size_t> conflict() {
+    std::vector<std::size_t> numbers;
+    if (solver_.check() != z3::unsat) return numbers;
+    for (const z3::expr& name : solver_.unsat_core())
+      numbers.push_back(static_cast<std::size_t>(name.decl().name().to_int() - first_row_));
+    std::ranges::sort(numbers);
+    return numbers;
+  }
+
+ private:
+  z3::expr number(std::int64_t value) { return context_.real_val(value); }
+
+  z3::expr constant(const z3::sort& sort) {
+    return {context_, Z3_mk_const(context_, Z3_mk_int_symbol(context_, made_++), sort)};
+  }
+
+  void add(const LinearRow& row) {
+    z3::expr_vector terms(context_);
+    for (const LinearTerm& term : row.terms)
+      terms.push_back(number(term.factor) * unknowns_[static_cast<unsigned>(term.unknown)]);
+    terms.push_back(number(0));  // Z3 adds up no empty list
+    solver_.add(z3::sum(terms) <= number(row.most), constant(context_.bool_sort()));
+  }
+
+  Z3Context owned_;
+  z3::context& context_ = *owned_;
+  z3::solver solver_{context_, "QF_LRA"};
+  int made_ = 0, first_row_ = 0;
+  z3::expr_vector unknowns_{context_};
+};
+
 /// The question for multipliers, as a system of linear inequalities.
 class Multipliers {
  public:
@@ -88,9 +137,22 @@ class Multipliers {
 
 }  // namespace
 
+/// Multipliers are asked for of those rows alone that Z3 finds to be in conflict: for a roster of 24 nurses
+/// and two weeks it sees in 0.02 s that there are none, where the question for multipliers of all rows took
+/// more than 25.
 std::optional<std::vector<std::int64_t>> find_contradiction(std::span<const LinearRow> rows,
                                                             std::span<const Interval> ranges) {
-  return Z3Context::run([&] { return Multipliers(rows, ranges).find(); });
+  return Z3Context::run([&]() -> std::optional<std::vector<std::int64_t>> {
+    const std::vector<std::size_t> numbers = Rows(rows, ranges).conflict();
+    if (numbers.empty()) return std::nullopt;
+    std::vector<LinearRow> in_conflict;
+    for (const std::size_t number : numbers) in_conflict.push_back(rows[number]);
+    const auto found = Multipliers(in_conflict, ranges).find();
+    if (!found) return std::nullopt;
+    std::vector<std::int64_t> multipliers(rows.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) multipliers[numbers[i]] = (*found)[i];
+    return multipliers;
+  });
 }
 
 }  // namespace solitaire
