@@ -87,8 +87,8 @@ void ExecutionSolver::tell_over_full() {
 }
 
 /// Does the same for sums that ask for more than others allow, if what is required and assumed says so. After
-/// some looks in vain at what is assumed it looks more and more rarely: a search for the best can ask hundreds
-/// of questions.
+/// some looks in vain at what is assumed it looks more and more rarely: a search for the best can ask
+/// hundreds of questions.
 void ExecutionSolver::tell_sum_conflict(const std::vector<NodeId>& assumptions) {
   if (options_.method->asserts_closed_sides()) return;
   if (counted_pass_ == synced_pass_ && (assumptions.empty() || questions_to_skip_-- > 0)) return;
