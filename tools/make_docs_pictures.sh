@@ -54,3 +54,15 @@ for example in restaurant kitchen shop dungeon parking platforms island garden c
   "$solitaire" generate "examples/$example.sol" -n 1 --png-size 640x400 --quiet -o "$work/$example"
   cp "$work/$example/$example-0001.png" "$images/example_$example.png"
 done
+
+# draw_tiles EXAMPLE [OPTION]...: the first map of an example of examples/tiles, as docs/images/tiles-EXAMPLE.png.
+draw_tiles() {
+  "$solitaire" tiles "examples/tiles/$1.tiles.json" --format png --quiet -o "$work/tiles-$1" "${@:2}"
+  cp "$work/tiles-$1/$1-0001.png" "$images/tiles-$1.png"
+}
+
+for example in suburb urban pipes platforms railway; do draw_tiles "$example"; done
+draw_tiles dungeon -W 40 -H 30
+draw_tiles town --seed 2
+draw_tiles facade -W 40 -H 20 --seed 1
+draw_tiles frame --weights step

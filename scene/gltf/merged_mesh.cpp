@@ -145,4 +145,22 @@ int merged_mesh(tinygltf::Model& model, int mesh, const std::vector<Transform>& 
   return static_cast<int>(model.meshes.size()) - 1;
 }
 
+void remove_unused_meshes(tinygltf::Model& model) {
+  std::vector<bool> shown(model.meshes.size());
+  for (const tinygltf::Node& node : model.nodes) {
+    if (node.mesh != -1) shown[static_cast<std::size_t>(node.mesh)] = true;
+  }
+  std::vector<int> number(model.meshes.size(), -1);
+  std::vector<tinygltf::Mesh> kept;
+  for (std::size_t mesh = 0; mesh < shown.size(); ++mesh) {
+    if (!shown[mesh]) continue;
+    number[mesh] = static_cast<int>(kept.size());
+    kept.push_back(std::move(model.meshes[mesh]));
+  }
+  model.meshes = std::move(kept);
+  for (tinygltf::Node& node : model.nodes) {
+    if (node.mesh != -1) node.mesh = number[static_cast<std::size_t>(node.mesh)];
+  }
+}
+
 }  // namespace solitaire

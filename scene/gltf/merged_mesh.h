@@ -11,4 +11,7 @@ namespace solitaire {
 /// Throws SceneError for meshes of other things than triangles.
 int merged_mesh(tinygltf::Model& model, int mesh, const std::vector<Transform>& transforms);
 
+/// Removes the meshes that no node shows, such as those of which there are only merged copies.
+void remove_unused_meshes(tinygltf::Model& model);
+
 }  // namespace solitaire

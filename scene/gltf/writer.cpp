@@ -57,6 +57,7 @@ class ModelBuilder {
     shown.name = scene_.nodes.front().name;
     shown.nodes.push_back(add(scene_.nodes.front()));
     add_stage(model_, shown, scene_, names_);
+    if (nodes_ == Nodes::kChunks) remove_unused_meshes(model_);
     model_.scenes.push_back(std::move(shown));
     model_.defaultScene = 0;
     if (model_.buffers.front().data.empty()) model_.buffers.clear();

@@ -18,12 +18,26 @@ std::vector<fs::path> files_with(const fs::path& folder, const std::string& exte
   return paths;
 }
 
+/// Checks that Khronos' validator has nothing to say of scenes, and that assimp and three.js find in them
+/// what they hold.
+void check_scenes(const std::vector<std::string>& scenes) {
+  REQUIRE(!scenes.empty());
+  for (const char* reader : {"validate.mjs", "read.mjs"}) {
+    std::vector<std::string> command{"node", std::string(SOLITAIRE_SOURCE_DIR "/tests/gltf/") + reader};
+    command.insert(command.end(), scenes.begin(), scenes.end());
+    const Outcome report = run(command);
+    CAPTURE(report.out);
+    CAPTURE(report.err);
+    CHECK(report.status == 0);
+  }
+}
+
 TEST_CASE(
     "examples: their scenes are valid glTF, without a warning, and assimp and three.js find in them what "
     "they hold") {
   const fs::path root = SOLITAIRE_SOURCE_DIR;
   const Workplace place;
-  std::vector<std::string> validate = {"node", (root / "tests/gltf/validate.mjs").string()};
+  std::vector<std::string> scenes;
   for (const fs::path& example : files_with(root / "examples", ".sol")) {
     INFO("example: ", example.filename().string());
     const fs::path out = place / example.stem().string();
@@ -31,22 +45,28 @@ TEST_CASE(
     CAPTURE(outcome.err);
     REQUIRE(outcome.status == 0);
     for (const fs::path& scene : files_with(out, ".glb")) {
-      validate.push_back(scene);
+      scenes.push_back(scene);
       const Outcome info = run({"assimp", "info", scene});
       CAPTURE(info.out);
       CHECK(info.status == 0);
     }
   }
-  REQUIRE(validate.size() > 2);
-  const Outcome report = run(validate);
-  CAPTURE(report.out);
-  CAPTURE(report.err);
-  CHECK(report.status == 0);
-  validate[1] = (root / "tests/gltf/read.mjs").string();
-  const Outcome read = run(validate);
-  CAPTURE(read.out);
-  CAPTURE(read.err);
-  CHECK(read.status == 0);
+  check_scenes(scenes);
+}
+
+TEST_CASE("examples: maps of tiles are valid glTF in each way that their tiles share nodes") {
+  const fs::path houses = fs::path(SOLITAIRE_SOURCE_DIR) / "examples/tiles/houses.tiles.json";
+  const Workplace place;
+  std::vector<std::string> scenes;
+  for (const char* nodes : {"each", "instances", "plain", "chunks"}) {
+    const fs::path out = place / nodes;
+    const Outcome outcome = run_solitaire(
+        {"tiles", houses, "--anneal", "6", "--sweeps", "4", "--format", "glb", "--nodes", nodes, "-o", out});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.status == 0);
+    scenes.push_back(out / "houses-0001.glb");
+  }
+  check_scenes(scenes);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "engines/tiles/learn/weights_file.h"
 #include "engines/tiles/request/build.h"
 #include "engines/tiles/request/read_style.h"
+#include "engines/tiles/request/site_rules.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -22,7 +23,8 @@ void add_weights(const Request& request, const SamplerOptions& sampling, Style& 
   if (request.weights == WeightsKind::kRead) {
     read_weights(request.weights_file, style);
   } else if (fitted && kind != SamplerKind::kBlockSs) {
-    fit_weights(style, request.shapes.empty() ? default_shapes(style) : request.shapes, sampling.seed, stop);
+    fit_weights(style, request.shapes.empty() ? default_shapes(style) : request.shapes, sampling.seed, stop,
+                [&](Problem& problem) { add_site_rules_of_any_size(request, problem); });
   } else {
     for (const Size& shape : request.shapes) add_step_shape(style, shape, request.epsilon);
   }

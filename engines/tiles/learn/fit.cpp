@@ -44,12 +44,38 @@ std::shared_ptr<Style> only_zone(const Style& style, std::size_t zone) {
   return part;
 }
 
+/// Returns the topology of the maps by which weights are fitted.
+Topology topology_of_chains(const Style& style) {
+  if (is_deep(style)) return {{{kDeepExtent, kDeepExtent, kDeepExtent}}, {}};
+  Point extent{1, 1, 1};
+  for (const Exemplar& exemplar : style.exemplars) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (exemplar.grid.size.extent[axis] > 1) extent[axis] = kFlatExtent;
+    }
+  }
+  return {{extent}, {}};
+}
+
+/// Returns the problem of these maps, with further rules where some map keeps them.
+Problem problem_of_chains(const std::shared_ptr<Style>& style, std::uint64_t seed, const StopSignal& stop,
+                          const std::function<void(Problem&)>& add_rules) {
+  const Problem plain(style, topology_of_chains(*style));
+  if (!add_rules) return plain;
+  Problem ruled = plain;
+  add_rules(ruled);
+  const std::vector<TileMask> domains = consistent_domains(ruled);
+  if (domains.empty()) return plain;
+  RandomStream random(seed, Purpose::kTiles, UINT64_MAX);
+  Grid map;
+  return make_start(ruled, domains, random, stop, map) == Outcome::kNone ? plain : ruled;
+}
+
 /// Fits the weights of a style with a single zone.
 class Fitting {
  public:
-  Fitting(std::shared_ptr<Style> style, std::uint64_t seed, const StopSignal& stop)
+  Fitting(std::shared_ptr<Style> style, const Problem& problem, std::uint64_t seed, const StopSignal& stop)
       : style_(std::move(style)),
-        problem_(style_, topology(*style_)),
+        problem_(problem),
         plan_(problem_),
         frontier_(problem_),
         weights_(*style_),
@@ -79,17 +105,6 @@ class Fitting {
   }
 
  private:
-  static Topology topology(const Style& style) {
-    if (is_deep(style)) return {{{kDeepExtent, kDeepExtent, kDeepExtent}}, {}};
-    Point extent{1, 1, 1};
-    for (const Exemplar& exemplar : style.exemplars) {
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (exemplar.grid.size.extent[axis] > 1) extent[axis] = kFlatExtent;
-      }
-    }
-    return {{extent}, {}};
-  }
-
   void start_chains() {
     domains_ = consistent_domains(problem_);
     chains_.resize(kChains);
@@ -199,7 +214,8 @@ std::vector<Size> default_shapes(const Style& style) {
   return shapes;
 }
 
-void fit_weights(Style& style, std::span<const Size> shapes, std::uint64_t seed, const StopSignal& stop) {
+void fit_weights(Style& style, std::span<const Size> shapes, std::uint64_t seed, const StopSignal& stop,
+                 const std::function<void(Problem&)>& add_rules) {
   for (const Size& shape : shapes) add_step_shape(style, shape, 0);
   for (std::size_t zone = 0; zone < style.zones; ++zone) {
     const std::shared_ptr<Style> part = only_zone(style, zone);
@@ -207,7 +223,9 @@ void fit_weights(Style& style, std::span<const Size> shapes, std::uint64_t seed,
     for (const SoftShape& shape : style.shapes) {
       part->shapes.push_back({shape.patches, {std::vector<double>(shape.patches.size() + 1)}});
     }
-    Fitting(part, mix(seed, zone), stop).run();
+    const std::uint64_t own = mix(seed, zone);
+    const auto rules = style.zones == 1 ? add_rules : nullptr;
+    Fitting(part, problem_of_chains(part, own, stop, rules), own, stop).run();
     for (std::size_t shape = 0; shape < style.shapes.size(); ++shape) {
       style.shapes[shape].log_weights[zone] = part->shapes[shape].log_weights[0];
     }

@@ -1,7 +1,9 @@
 #pragma once
+#include <functional>
 #include <span>
 
 #include "base/stop_signal.h"
+#include "engines/tiles/model/problem.h"
 #include "engines/tiles/model/style.h"
 
 namespace solitaire::tiles {
@@ -16,7 +18,12 @@ std::vector<Size> default_shapes(const Style& style);
 /// (persistent contrastive divergence, Tieleman 2008), and the answer is the mean of the second half of all
 /// steps.
 ///
+/// `add_rules` adds what holds of maps of any size to those of the chains, such as what is at their borders:
+/// the weights then make up for it. It is left out where it leaves such a map no tiles, and in styles of
+/// several zones.
+///
 /// Throws std::runtime_error where the tiles fit no map of the size that is used, and Interrupted.
-void fit_weights(Style& style, std::span<const Size> shapes, std::uint64_t seed, const StopSignal& stop);
+void fit_weights(Style& style, std::span<const Size> shapes, std::uint64_t seed, const StopSignal& stop,
+                 const std::function<void(Problem&)>& add_rules = {});
 
 }  // namespace solitaire::tiles

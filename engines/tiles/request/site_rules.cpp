@@ -124,6 +124,12 @@ SiteRule border_rule(const BorderEntry& border, const Problem& problem) {
   return rule;
 }
 
+void add_borders(const Request& request, Problem& problem) {
+  for (const BorderEntry& border : request.borders) {
+    said_at(border.where, [&] { problem.add(border_rule(border, problem)); });
+  }
+}
+
 }  // namespace
 
 PinEntry counted_in(const Size& size, PinEntry box) {
@@ -131,6 +137,13 @@ PinEntry counted_in(const Size& size, PinEntry box) {
   box.from = size.counted(box.from);
   for (std::size_t axis = 0; axis < kAxes; ++axis) box.to[axis] = last[axis] + 1;
   return box;
+}
+
+void add_site_rules_of_any_size(const Request& request, Problem& problem) {
+  for (const PinEntry& pin : request.pins) {
+    if (pin.every != Point{}) said_at(pin.where, [&] { add_pin(pin, problem); });
+  }
+  add_borders(request, problem);
 }
 
 void add_site_rules(const Request& request, Problem& problem) {
@@ -142,9 +155,7 @@ void add_site_rules(const Request& request, Problem& problem) {
       said_at(map.string(), [&] { add_pin({pin.from, pin.to, pin.tiles}, problem); });
     }
   }
-  for (const BorderEntry& border : request.borders) {
-    said_at(border.where, [&] { problem.add(border_rule(border, problem)); });
-  }
+  add_borders(request, problem);
 }
 
 }  // namespace solitaire::tiles
