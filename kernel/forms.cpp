@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <unordered_map>
+#include <utility>
 
 #include "kernel/combination.h"
 

@@ -1,6 +1,7 @@
 #include "kernel/known_forms.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "kernel/dependents.h"
 #include "tracegraph/density.h"

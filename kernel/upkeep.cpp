@@ -1,6 +1,7 @@
 #include "kernel/upkeep.h"
 
 #include <algorithm>
+#include <span>
 
 #include "kernel/dependents.h"
 #include "kernel/few.h"

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "engines/sample/impossible.h"
+#include "engines/sample/solved_start.h"
+#include "engines/sample/state_choices.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
@@ -54,7 +56,12 @@ class Rerun::Answers : public Choices {
 };
 
 Rerun::Rerun(const Program& program, const ParamValues& params, const Limits& limits, RandomStream& stream)
-    : executor_(program, params, addresses_, limits), stream_(stream), fresh_values_(stream) {}
+    : program_(program),
+      params_(params),
+      limits_(limits),
+      executor_(program, params, addresses_, limits),
+      stream_(stream),
+      fresh_values_(stream) {}
 
 SampledState Rerun::start() {
   std::optional<Span> ruled_out;
@@ -67,8 +74,26 @@ SampledState Rerun::start() {
     ++possible;
     if (state.log_weight > best.log_weight) best = std::move(state);
   }
-  if (possible == 0) throw no_start(ruled_out);
-  return best;
+  if (possible > 0) return best;
+  if (std::optional<SampledState> solved = solve()) return std::move(*solved);
+  throw no_start(ruled_out);
+}
+
+/// The stream says which solution it is, so that chains start from different ones.
+std::optional<SampledState> Rerun::solve() {
+  const std::optional<ChosenValues> found = solved_start(program_, params_, limits_, stream_.next());
+  if (!found) return std::nullopt;
+  SampledState known;
+  for (const ChosenValue& choice : *found) {
+    MetChoice& met = known.choices.emplace_back();
+    met.address = addresses_.address(choice.address);
+    met.value = choice.value;
+  }
+  StateChoices choices(known);
+  SampledState state;
+  take(executor_.run(choices), state);
+  if (!(state.log_density() > kImpossible)) return std::nullopt;
+  return state;
 }
 
 /// What is drawn has the densities of the choices, so that the weights alone are left of the ratio.

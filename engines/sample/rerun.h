@@ -1,22 +1,13 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "engines/sample/fresh_values.h"
 #include "engines/sample/proposal.h"
+#include "engines/sample/sampled_state.h"
 #include "solitaire/run/evaluator.h"
 
 namespace solitaire {
-
-/// An execution as the state of a chain.
-struct SampledState {
-  std::vector<MetChoice> choices;
-  std::vector<double> log_priors;  // one for each choice
-  double log_prior = 0;            // their sum
-  double log_weight = 0;           // of factors and wishes; minus infinity where it is ruled out
-  Value value;
-
-  double log_density() const { return log_prior + log_weight; }
-};
 
 /// Changes one choice of an execution by running the program again (Wingate, Stuhlmueller and Goodman 2011;
 /// section 2.3 of the dissertation). All other choices stay as they were, found by their addresses. Choices
@@ -28,7 +19,7 @@ class Rerun {
   Rerun(const Program& program, const ParamValues& params, const Limits& limits, RandomStream& stream);
 
   /// Draws executions from the distributions, and returns the one that explains best what is observed of a
-  /// few that are possible. Throws ProgramError if none is drawn.
+  /// few that are possible. If none is drawn, a solver looks for one; throws ProgramError if it finds none.
   SampledState start();
   /// The state that is changed from now on, which has to stay where it is. To be called again after
   /// restart().
@@ -54,12 +45,16 @@ class Rerun {
   static constexpr std::uint32_t kNowhere = UINT32_MAX;
 
   bool draw(SampledState& state, std::optional<Span>& ruled_out);
+  std::optional<SampledState> solve();
   void take(Execution& execution, SampledState& state);
   double forgotten() const;
   std::uint32_t position(AddressId address) const {
     return address.index < positions_.size() ? positions_[address.index] : kNowhere;
   }
 
+  const Program& program_;
+  const ParamValues& params_;
+  Limits limits_;
   AddressTable addresses_;
   Executor executor_;
   RandomStream& stream_;

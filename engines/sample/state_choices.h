@@ -1,7 +1,7 @@
 #pragma once
 #include <unordered_map>
 
-#include "engines/sample/rerun.h"
+#include "engines/sample/sampled_state.h"
 
 namespace solitaire {
 

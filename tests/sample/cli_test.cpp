@@ -127,6 +127,21 @@ TEST_CASE("command: what cannot be started from is an error at its place") {
   CHECK(outcome.err.find("never.sol:2:8: error: none of 10000 executions") != std::string::npos);
 }
 
+TEST_CASE("command: where no execution that is drawn is possible, a solver finds one to start from") {
+  const Workplace place;
+  const std::string text =
+      "xs = [range(0, 9) for i in 1..10];\nfor i in 0..8: assert(xs[i + 1] > xs[i]);\nreturn xs[3];\n";
+  for (const char* engine : {"shred", "lightweight"}) {
+    const Outcome outcome = run_solitaire({"sample", place.file("rising.sol", text), "-n", "40", "--chains",
+                                           "1", "--json", "-q", "--engine", engine});
+    REQUIRE(outcome.status == 0);
+    CHECK(nlohmann::json::parse(outcome.out)["parameters"][0]["mean"] == 3);
+  }
+  const Outcome refused = run_solitaire({"sample", place.file("weighed.sol", "factor(0.5);\n" + text)});
+  CHECK(refused.status == 3);
+  CHECK(refused.err.find("weighed.sol:3:") != std::string::npos);
+}
+
 TEST_CASE("command: data come from tables and JSON, and a report shows the draws") {
   const Workplace place;
   const std::string script =

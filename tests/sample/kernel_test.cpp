@@ -205,6 +205,9 @@ TEST_CASE("forms: conjugate choices are known, also where the form is hidden, an
 
 // Beside those of kTexts, programs in which forms are hidden, are shared, and have conditions.
 constexpr const char* kFormTexts[] = {
+    "a = normal(0, 5); b = normal(0, 5); s = exponential(1); for x in 1..9: observe(Normal(a + b * x, s), 3 "
+    "* x - "
+    "1); return a, b, s;",
     "a = normal(0, 5); b = normal(0, 5); s = gamma(2, 1); for x in 1..9: observe(Normal(a + b * x, "
     "precision: s), "
     "3 * x - 1); return a, b, 1 / sqrt(s);",
