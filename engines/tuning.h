@@ -120,6 +120,9 @@ constexpr std::uint64_t kSamplesOfValues = 16;
 /// Judgement: listing as many takes seconds at the most (docs/engine.md, "Sampling and counting").
 constexpr std::uint64_t kMostListedToCount = 20'000;
 constexpr std::uint64_t kMostListedToSample = 10'000;
+/// So many times as many may be gone through without being kept, which takes no longer than to list them as
+/// solutions. An estimate takes some seconds, in which mostly more are gone through.
+constexpr std::uint64_t kGoneThroughForOneListed = 10;
 /// Up to so many models are listed, even where an estimate is asked for, because an estimate needs more than
 /// a few.
 constexpr std::uint64_t kFewModels = 64;

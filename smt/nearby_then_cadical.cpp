@@ -56,7 +56,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   NearbyThenCadical(const Graph& graph, const NearbyOptions& options)
       : graph_(graph),
         spread_(options.far_apart ? tuning::kFarApart : tuning::kUsualSpread),
-        cadical_(Cadical::Use::kDiversity, options.seed),
+        cadical_(Cadical::Use::kRefutation, options.seed),
         clauses_(graph, *this),
         nearby_(propagator_, clauses_, options.seed, spread_.searches_that_forget),
         random_(options.seed, Purpose::kSigns, 0) {}
@@ -127,6 +127,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   Verdict ask_cadical(std::span<const int> assumed, const StopSignal& signal) {
     clauses_.cnf().write_linear_as_clauses();
     if (std::exchange(has_suggestions_, false)) {
+      cadical_.use_for(Cadical::Use::kDiversity);
       cadical_.prefer(with_drawn_signs(nearby_.wanted()));
       const Verdict verdict = cadical_.solve(assumed, signal, tuning::kConflictsNearSuggestions);
       cadical_.prefer_nothing();

@@ -20,9 +20,11 @@ struct NearbyOptions {
 /// 2. If it gave up, CaDiCaL decides. It starts from the values to which the search had come, and follows
 ///    them for some hundred conflicts. After these it goes its own way, so that hard formulas stay solvable.
 ///
-/// If nothing was suggested since CaDiCaL was asked the last time, a check is the second step alone. Both
-/// steps work on the same clauses, which CaDiCaL gets when it is first needed. The same calls with the same
-/// seed give the same models. add_clause and check throw UnsupportedOperation.
+/// If nothing was suggested since CaDiCaL was asked the last time, a check is the second step alone. What is
+/// asked before anything was ever suggested, as whether executions come to errors, is mostly refuted, and
+/// CaDiCaL is set up for that until then. Both steps work on the same clauses, which CaDiCaL gets when it is
+/// first needed. The same calls with the same seed give the same models. add_clause and check throw
+/// UnsupportedOperation.
 std::unique_ptr<Solver> make_nearby_then_cadical(const Graph& graph, const NearbyOptions& options);
 
 }  // namespace solitaire

@@ -12,6 +12,62 @@ bool Graph::is_int(NodeId id, std::int64_t value) const {
   return node(id).op == Op::kConstInt && node(id).interval.lo == value;
 }
 
+namespace {
+
+/// Makes a comparison of an int with a constant one of the sides among which the int is chosen, where the
+/// intervals of some of these settle theirs: if(c, x - y, 1) <= 0 is c and x <= y. So a comparison that means
+/// an int itself is about it, as if it stood alone.
+class ComparedSides {
+ public:
+  /// The constant stands on the left if `on_left`.
+  ComparedSides(Graph& graph, Op op, NodeId constant, bool on_left)
+      : graph_(graph), op_(op), constant_(constant), on_left_(on_left) {}
+
+  /// Returns nothing where no side is settled, or one is chosen very deep.
+  std::optional<NodeId> of(NodeId id, unsigned depth = 0) {
+    const Graph::Node node = graph_.node(id);  // a copy: the graph grows meanwhile
+    if (node.op != Op::kIteInt || depth == kMostDepth) return std::nullopt;
+    if (!is_settled(node.operands[1]) && !is_settled(node.operands[2])) return std::nullopt;
+    const auto a = of_side(node.operands[1], depth);
+    if (!a) return std::nullopt;
+    const auto b = of_side(node.operands[2], depth);
+    if (!b) return std::nullopt;
+    return graph_.apply(Op::kIteBool, {node.operands[0], *a, *b});
+  }
+
+ private:
+  static constexpr unsigned kMostDepth = 40;
+
+  bool is_settled(NodeId side) const {
+    const Interval left = on_left_ ? interval(constant_) : interval(side);
+    const Interval right = on_left_ ? interval(side) : interval(constant_);
+    return op_ == Op::kLtInt ? left.hi < right.lo || left.lo >= right.hi
+                             : left.hi <= right.lo || left.lo > right.hi;
+  }
+  Interval interval(NodeId id) const { return graph_.node(id).interval; }
+
+  std::optional<NodeId> of_side(NodeId side, unsigned depth) {
+    const Graph::Node node = graph_.node(side);
+    const bool goes_on = node.op == Op::kIteInt && !is_settled(side) &&
+                         (is_settled(node.operands[1]) || is_settled(node.operands[2]));
+    if (goes_on) return of(side, depth + 1);
+    return on_left_ ? graph_.apply(op_, {constant_, side}) : graph_.apply(op_, {side, constant_});
+  }
+
+  Graph& graph_;
+  Op op_;
+  NodeId constant_;
+  bool on_left_;
+};
+
+std::optional<NodeId> compare_sides(Graph& graph, Op op, NodeId a, NodeId b) {
+  if (graph.node(b).is_constant()) return ComparedSides(graph, op, b, false).of(a);
+  if (graph.node(a).is_constant()) return ComparedSides(graph, op, a, true).of(b);
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<NodeId> Graph::simplify(Op op, std::span<const NodeId> args) {
   const auto interval = [&](std::size_t i) { return node(args[i]).interval; };
   switch (op) {
@@ -63,10 +119,12 @@ std::optional<NodeId> Graph::simplify(Op op, std::span<const NodeId> args) {
     case Op::kLtInt:
       if (interval(0).hi < interval(1).lo) return kTrue;
       if (args[0] == args[1] || interval(0).lo >= interval(1).hi) return kFalse;
+      if (const auto sides = compare_sides(*this, op, args[0], args[1])) return sides;
       return move_offset(op, args[0], args[1]);
     case Op::kLeInt:
       if (args[0] == args[1] || interval(0).hi <= interval(1).lo) return kTrue;
       if (interval(0).lo > interval(1).hi) return kFalse;
+      if (const auto sides = compare_sides(*this, op, args[0], args[1])) return sides;
       return move_offset(op, args[0], args[1]);
     default:
       return std::nullopt;

@@ -19,6 +19,13 @@ std::uint64_t most_listed(const CountOptions& options) {
   return tuning::kFewModels;
 }
 
+/// What is gone through is not kept, so it may be more than what is listed. Of a number that is only to be
+/// estimated, nobody wants to wait for that.
+std::uint64_t most_gone_through(const CountOptions& options) {
+  const std::uint64_t most = most_listed(options);
+  return options.way == CountOptions::Way::kExactIfSmall ? tuning::kGoneThroughForOneListed * most : most;
+}
+
 }  // namespace
 
 std::string SolutionCount::digits() const {
@@ -65,7 +72,6 @@ std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const
   std::vector<SpacePart>& parts = space_->parts();
   found_ = std::vector<std::atomic<std::uint64_t>>(parts.size());
   explored_ = true;
-  const std::uint64_t most = most_listed(count_);
   SolutionCount count;
   std::vector<std::size_t> large;
   for (std::size_t i = 0; i < parts.size(); ++i) {  // one of each first: that no part has none is soon known
@@ -79,10 +85,10 @@ std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     progress(fmt::format("listing part {} of {}", i + 1, parts.size()));
-    if (!parts[i].free_values() && count_part(i, most + 1) > most) {
-      large.push_back(i);
+    if (const auto all = parts[i].free_values() ? parts[i].free_values() : count_part(i)) {
+      count.factors.push_back(*all);
     } else {
-      count.factors.push_back(found_[i]);
+      large.push_back(i);
     }
   }
   if (large.empty()) return count;
@@ -94,15 +100,20 @@ std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const
   return count;
 }
 
-/// Counts what a part of the choices can be, up to a number: by going through it, as a listing of solutions
-/// does, and where that is too hard by a search that learns. Where a choice follows from others, some of
-/// which the part does not have, only the latter can.
-std::uint64_t SolutionCounter::count_part(std::size_t number, std::uint64_t most) {
+/// Counts what a part of the choices can be: by going through it, as a listing of solutions does, and where
+/// that is too hard by a search that learns. Where a choice follows from others, some of which the part does
+/// not have, only the latter can. Returns nothing if it is more than what may be listed.
+std::optional<std::uint64_t> SolutionCounter::count_part(std::size_t number) {
   SpacePart& part = space_->parts()[number];
+  const auto at_most = [](std::uint64_t count, std::uint64_t most) {
+    return count > most ? std::nullopt : std::optional(count);
+  };
   if (space_->auxiliary().empty()) {
-    if (const auto all = part.enumerate(most, stop_, found_[number])) return *all;
+    const std::uint64_t most = most_gone_through(count_);
+    if (const auto all = part.enumerate(most + 1, stop_, found_[number])) return at_most(*all, most);
   }
-  return part.find({}, most, stop_, &found_[number]).size();
+  const std::uint64_t most = most_listed(count_);
+  return at_most(part.find({}, most + 1, stop_, &found_[number]).size(), most);
 }
 
 SolutionCount SolutionCounter::at_least() const {

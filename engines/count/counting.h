@@ -43,7 +43,7 @@ class SolutionCounter {
   SolutionCount at_least() const;
 
  private:
-  std::uint64_t count_part(std::size_t number, std::uint64_t most);
+  std::optional<std::uint64_t> count_part(std::size_t number);
 
   std::uint64_t seed_;
   StopSignal stop_;

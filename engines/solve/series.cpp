@@ -125,6 +125,9 @@ bool Series::in_background() const {
          (options_.most == 0 || options_.most > size(0, 0));
 }
 
+/// Returns true if a solution can come from two engines that do not know each other.
+bool Series::may_repeat() const { return manner_ == Manner::kBlocks || manner_ == Manner::kRest; }
+
 /// Starts as many searches as there may be, of the blocks from the present one on. Where there are no
 /// threads for them, fewer have to do, or the thread that asks does all.
 void Series::start_searches() {
@@ -219,13 +222,14 @@ std::optional<Solution> Series::next_new() {
         names_are_chosen_ = chooses_names(engine_->traced().pass());
       return solution;
     }
-    choices_.insert(key(solution->choices));
+    if (may_repeat()) choices_.insert(key(solution->choices));
     if (options_.apart != Apart::kChoices && !results_.add(*solution)) {
       ++alike_;
       if (!in_background()) engine_->hear_of_alike();
       continue;
     }
-    solutions_.push_back(all_choices(*solution));
+    const bool is_needed = manner_ != Manner::kEnumeration || !to_repeat_.empty();
+    solutions_.push_back(is_needed ? all_choices(*solution) : ChosenValues{});
     distance_.add(*solution);
     engine_->keep_away_from(solution->choices);
     return solution;
@@ -237,7 +241,8 @@ std::optional<Solution> Series::next_new() {
 std::optional<Solution> Series::next_far() {
   const auto find = [this] {
     std::optional<Solution> solution = next_of_block();
-    while (solution && choices_.count(key(solution->choices)) != 0) solution = next_of_block();
+    while (solution && may_repeat() && choices_.count(key(solution->choices)) != 0)
+      solution = next_of_block();
     return solution;
   };
   if (manner_ != Manner::kBlocks) return find();

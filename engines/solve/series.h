@@ -74,6 +74,7 @@ class Series : public SolutionStream,
   std::size_t size(std::size_t number, std::size_t start) const;
   std::size_t known_to(const Block& block) const;
   bool in_background() const;
+  bool may_repeat() const;
   void start(const Block& block);
   void start_engine();
   bool lists_rest(const Block& before, Block& block);
@@ -99,8 +100,8 @@ class Series : public SolutionStream,
   BlockDistance distance_;
   std::vector<Valuation> rest_;  // with Manner::kRest, what is still to come, and some that came already
   DistinctResults results_;
-  std::unordered_set<std::string> choices_;  // of all solutions so far
-  std::vector<ChosenValues> solutions_;
+  std::unordered_set<std::string> choices_;  // of all solutions so far, where they may come again
+  std::vector<ChosenValues> solutions_;      // those of one engine that knows them all are empty
   std::deque<ChosenValues> to_repeat_;  // solutions of the block that came already
   std::atomic<std::uint64_t> alike_ = 0;
   std::atomic<bool> names_are_chosen_ =

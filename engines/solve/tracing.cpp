@@ -35,8 +35,8 @@ std::optional<Solution> TracingEngine::next() {
   const auto start = StopSignal::Clock::now();
   try {
     explore();
+    meet_pass();  // errors are asked for before values are suggested
     if (may_enumerate_) {
-      meet_pass();
       std::optional<Solution> solution = next_enumerated();
       if (solution || ending_ != Ending::kNone) return solution;
     }
@@ -123,7 +123,12 @@ Candidate TracingEngine::candidate(Assignment& assignment) {
 
 void TracingEngine::remember(Valuation values) {
   exclusion_.add(std::move(values));
-  if (met_pass_ > 0 && !enumeration_) exclusion_.tell_last();
+  if (met_pass_ > 0) exclusion_.tell_last();
+}
+
+void TracingEngine::tell_of_enumerated() {
+  for (const auto& values : std::exchange(enumerated_, {})) exclusion_.add({values.begin(), values.end()});
+  exclusion_.tell_all();
 }
 
 /// Returns true where solutions are all as good, no path is left unexplored, and none differ in auxiliary
@@ -162,13 +167,14 @@ std::optional<Solution> TracingEngine::next_enumerated() {
   }
   Assignment assignment = enumeration_->assignment();
   Candidate found = candidate(assignment);
-  remember(std::move(found.values));
+  enumerated_.emplace_back(found.values.begin(), found.values.end());
   return std::move(found.solution);
 }
 
 void TracingEngine::hear_of_alike() {
   ++alike_;
-  const std::size_t others = exclusion_.size() - std::min(alike_, exclusion_.size());
+  const std::size_t came = exclusion_.size() + enumerated_.size();
+  const std::size_t others = came - std::min(alike_, came);
   if (alike_ > tuning::kMostAlikePassedOver + others && enumeration_ &&
       says_what_is_seen(traced_.pass(), options_.apart))
     give_up_enumeration();
@@ -177,7 +183,7 @@ void TracingEngine::hear_of_alike() {
 void TracingEngine::give_up_enumeration() {
   may_enumerate_ = false;
   enumeration_.reset();
-  exclusion_.tell_all();
+  tell_of_enumerated();
 }
 
 Formula TracingEngine::formula_of_rest() {
@@ -192,7 +198,7 @@ Formula TracingEngine::formula_of_rest() {
 /// Returns all that holds in the solutions that are left. A proof that there are none does without closed
 /// sides, else it would be one of explored paths.
 std::vector<NodeId> TracingEngine::conditions() {
-  exclusion_.tell_all();
+  tell_of_enumerated();
   std::vector<NodeId> conditions = traced_.requirements(ending_ != Ending::kExhausted);
   for (const auto& more : {exclusion_.conditions(), distances_.conditions()})
     conditions.insert(conditions.end(), more.begin(), more.end());

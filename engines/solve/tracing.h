@@ -65,6 +65,7 @@ class TracingEngine : public SolutionStream,
   ExecutionSolver::Outcome find(const BestFirst::Most& most);
   Candidate candidate(Assignment& assignment);
   void remember(Valuation values);
+  void tell_of_enumerated();
   std::vector<NodeId> conditions();
   Valuation addressed(const ChosenValues& choices);
 
@@ -74,6 +75,8 @@ class TracingEngine : public SolutionStream,
   Distances distances_;
   BestFirst best_first_;
   std::unique_ptr<Enumeration> enumeration_;  // while it is what finds solutions
+  /// What it found. Nobody else has to know before it is given up, and in rows this takes little memory.
+  std::vector<std::vector<Valuation::value_type>> enumerated_;
   bool may_enumerate_;
   std::size_t met_pass_ = 0;
   std::size_t asked_pass_ = 0;  // the last pass of which it is known whether it leaves executions out

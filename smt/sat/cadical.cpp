@@ -79,9 +79,10 @@ void Cadical::set_up() {
   // Lucky phases are tried before the search, for each model anew. They would find the same one whatever the
   // seed and the preferred literals are.
   solver_->set("lucky", 0);
-  solver_->set("stabilizeonly", 1);
+  // Models are found sooner where the search hardly ever restarts; proofs are not.
+  solver_->set("stabilizeonly", use_ == Use::kRefutation ? 0 : 1);
   solver_->set("phase", phase_ ? 1 : 0);
-  if (use_ != Use::kDiversity) return;
+  if (use_ == Use::kProof) return;
   // With target phases, CaDiCaL searches around the assignment that came furthest, so around the last model.
   solver_->set("target", 0);
   solver_->set("elimint", tuning::kEliminationInterval);
@@ -133,6 +134,10 @@ void Cadical::start_anew(std::uint64_t seed, bool phase) {
   const std::unique_ptr<CaDiCaL::Solver> old = std::move(solver_);
   set_up();
   old->copy(*solver_);
+}
+
+void Cadical::use_for(Use use) {
+  if (std::exchange(use_, use) != use && solver_ != nullptr) start_anew(seed_, phase_);
 }
 
 bool Cadical::holds(int variable) const { return solver_->val(variable) > 0; }

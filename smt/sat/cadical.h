@@ -21,8 +21,9 @@ namespace solitaire {
 class Cadical : public ClauseSink {
  public:
   enum class Use : std::uint8_t {
-    kProof,      // a single answer, which may be that there is no model
-    kDiversity,  // many models, one after the other, that are far from each other
+    kProof,       // a single answer, which may be that there is no model
+    kRefutation,  // answers that are mostly that there is no model
+    kDiversity,   // many models, one after the other, that are far from each other
   };
 
   explicit Cadical(Use use = Use::kProof, std::uint64_t seed = 0);
@@ -42,6 +43,8 @@ class Cadical : public ClauseSink {
   /// Goes on with a new solver that has the same clauses and nothing of what this one learned or came to
   /// last. It tries `phase` first of each variable. Not for use between solve() and what asks for its result.
   void start_anew(std::uint64_t seed, bool phase = true);
+  /// Begins anew for another use, if it is another one.
+  void use_for(Use use);
   /// Returns the value of a variable in the model. For use after kSatisfiable.
   bool holds(int variable) const;
   /// Returns those of the conditions that the proof needed; `assumed` has the literal by which each was
@@ -52,7 +55,7 @@ class Cadical : public ClauseSink {
   void set_up();
   void tell();
 
-  const Use use_;
+  Use use_;
   std::uint64_t seed_;
   bool phase_ = true;
   std::unique_ptr<CaDiCaL::Solver> solver_;

@@ -47,6 +47,7 @@ TEST_CASE("cadical: a new beginning keeps the clauses, with models and without")
         cadical.clause(clauses.back());
       }
       if (step % 2 == 1) cadical.start_anew(random());
+      if (step == 2) cadical.use_for(Cadical::Use::kRefutation);
       const Verdict verdict = cadical.solve({}, StopSignal());
       const bool expected = has_model(clauses);
       CHECK((verdict == Verdict::kSatisfiable) == expected);

@@ -511,6 +511,26 @@ TEST_CASE("graph: folding, simplifying and ordering operands change no value, an
   }
 }
 
+TEST_CASE("graph: a comparison of what is chosen is about the sides that it does not settle") {
+  Graph graph;
+  AddressTable addresses;
+  const auto choice = [&](const char* name, std::int64_t lo, std::int64_t hi) {
+    return graph.choice({addresses.site(addresses.root(), name), {lo, hi, 1, {}}});
+  };
+  const NodeId c = graph.apply(Op::kLtInt, {choice("c", 0, 1), graph.constant(std::int64_t{1})});
+  const NodeId x = choice("x", 0, 9), y = choice("y", 0, 9);
+  const NodeId one = graph.constant(std::int64_t{1}), zero = graph.constant(std::int64_t{0});
+  const NodeId length = graph.phi(c, graph.apply(Op::kSub, {x, y}), one);
+  const auto both = [&](NodeId a, NodeId b) { return graph.conjunction(a, b); };
+  CHECK(graph.apply(Op::kLeInt, {length, zero}) == both(c, graph.apply(Op::kLeInt, {x, y})));
+  CHECK(graph.apply(Op::kLtInt, {zero, length}) ==
+        graph.disjunction(graph.negation(c), graph.apply(Op::kLtInt, {y, x})));
+  NodeId chain = x;  // deeper than it is looked into: it stays as it is, and comes to its end
+  for (int i = 0; i < 5000; ++i)
+    chain = graph.phi(graph.apply(Op::kLtInt, {choice(std::to_string(i).c_str(), 0, 1), one}), one, chain);
+  CHECK(graph.node(graph.apply(Op::kLeInt, {chain, zero})).op == Op::kLeInt);
+}
+
 TEST_CASE("graph: hash-consing finds equal expressions, whichever way round their operands stand") {
   Graph graph;
   AddressTable addresses;

@@ -72,6 +72,22 @@ TEST_CASE("counting: estimates are within their tolerance of what is known") {
         499500e3, 0.5);
 }
 
+TEST_CASE("counting: what is gone through and not kept may be ten times as much as what is listed") {
+  const auto count = [](const char* text) {
+    return counted(program_of(text), {CountOptions::Way::kExactIfSmall, 100, {}});
+  };
+  const SolutionCount all = count("x = range(0, 44);\ny = range(0, 44);\nassert(x < y);\nreturn [x, y];\n");
+  CHECK(all.digits() == "990");
+  CHECK_FALSE(all.estimate);
+  const SolutionCount more = count("x = range(0, 49);\ny = range(0, 49);\nassert(x < y);\nreturn [x, y];\n");
+  CHECK(more.estimate);  // of 1225
+  // What follows from other choices cannot be gone through, so it is listed.
+  const SolutionCount followed = count(
+      "x = range(0, 44);\naux y = range(0, 44);\nz = range(0, 44);\nassert(y == x);\nassert(y < z);\nreturn "
+      "z;\n");
+  CHECK(followed.estimate);
+}
+
 TEST_CASE("counting: on the command line") {
   const Workplace place;
   const std::string pairs =
