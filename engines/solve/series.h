@@ -102,7 +102,7 @@ class Series : public SolutionStream,
   DistinctResults results_;
   std::unordered_set<std::string> choices_;  // of all solutions so far, where they may come again
   std::vector<ChosenValues> solutions_;      // those of one engine that knows them all are empty
-  std::deque<ChosenValues> to_repeat_;  // solutions of the block that came already
+  std::deque<ChosenValues> to_repeat_;       // solutions of the block that came already
   std::atomic<std::uint64_t> alike_ = 0;
   std::atomic<bool> names_are_chosen_ =
       false;  // where solutions that differ in these alone are not looked for
