@@ -205,6 +205,7 @@ TEST_CASE("forms: conjugate choices are known, also where the form is hidden, an
 
 // Beside those of kTexts, programs in which forms are hidden, are shared, and have conditions.
 constexpr const char* kFormTexts[] = {
+    "k = choose([1, 2, 5]); m = normal(0, 1); factor(0.3 * k * m); return k, m;",
     "a = normal(0, 5); b = normal(0, 5); s = exponential(1); for x in 1..9: observe(Normal(a + b * x, s), 3 "
     "* x - "
     "1); return a, b, s;",
@@ -262,6 +263,16 @@ int compare_form(Traced& traced, ChoiceNumber choice) {
   return 1;
 }
 
+/// Compares a proposal with that of a kernel in which nothing was left behind.
+void compare_with_new(const Kernel& kernel, ChoiceNumber choice, Scalar value) {
+  Kernel anew(kernel.program(), false);
+  std::vector<Scalar> values;
+  for (ChoiceNumber i = 0; i < kernel.program().choices.size(); ++i) values.push_back(kernel.value(i));
+  REQUIRE(anew.load(values) == Scored::kScored);
+  REQUIRE(anew.propose(choice, value) == Scored::kScored);
+  CHECK(kernel.difference() == doctest::Approx(anew.difference()).epsilon(1e-9));
+}
+
 TEST_CASE("forms: their numbers are those of the density, after any changes") {
   int compared = 0;
   for (const char* text : texts_with_forms()) {
@@ -276,7 +287,9 @@ TEST_CASE("forms: their numbers are those of the density, after any changes") {
           if (const auto value = draw_of_form(kernel, choice, traced.stream)) kernel.set(choice, *value);
         } else if (kernel.program().choices[choice].cell != kNoCell) {
           const Scalar value = kernel.distribution(choice).sample(traced.stream).scalar();
-          if (kernel.propose(choice, value) == Scored::kScored) kernel.accept();
+          if (kernel.propose(choice, value) != Scored::kScored) continue;
+          if (step % 4 == 0) compare_with_new(kernel, choice, value);
+          kernel.accept();
         }
       }
     }
