@@ -51,11 +51,16 @@ def pins_of(size):
     return str(path)
 
 
+def model_of_peer(row, ending):
+    """Peers draw no samples."""
+    return None if row.kind == "sample" else row.file(ending)
+
+
 class Gecode:
     name = "gecode"
 
     def model(self, row):
-        return row.file(".mzn")
+        return model_of_peer(row, ".mzn")
 
     def command(self, row, size):
         asked = ["-a"] if row.kind in ("all", "count") else []
@@ -78,11 +83,11 @@ class Clasp:
     name = "clasp"
 
     def model(self, row):
-        return row.file(".lp")
+        return model_of_peer(row, ".lp")
 
     def command(self, row, size):
         constants = " ".join(f"-c {name}={json.dumps(value)}" for name, value in row.values(size).items())
-        asked = "-n 0 -q" if row.kind in ("all", "count") else "-n 1"
+        asked = "-n 0 -q" if row.kind in ("all", "count", "best") else "-n 1"
         return ["bash", "-c", f"gringo {constants} {shlex.quote(str(self.model(row)))} | clasp {asked}"]
 
     def answer(self, row, child):
@@ -92,6 +97,8 @@ class Clasp:
         if row.kind in ("all", "count"):
             found = re.search(r"Models\s*:\s*(\d+)\s*$", text, re.MULTILINE)
             return found.group(1) if found and "TIME LIMIT" not in text else ""
+        if row.kind == "best":
+            return "solution" if "OPTIMUM FOUND" in text else ""
         return "solution" if "SATISFIABLE" in text else ""
 
 

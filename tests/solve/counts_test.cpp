@@ -1,6 +1,7 @@
 // Problems whose numbers of solutions are known, by the solver with a proof that there is no other, and where
 // their executions can be counted by running each.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <set>
 
 #include "tests/support/program_run.h"
@@ -73,6 +74,29 @@ TEST_CASE("counts: SEND + MORE = MONEY has one solution (slow)") {
 
 TEST_CASE("counts: subsets of 1 to n") {
   for (int n = 0; n <= 8; ++n) CHECK(count("subset.sol", {{"n", std::to_string(n)}}) == std::size_t{1} << n);
+}
+
+/// How many solutions a solver finds that starts each search from random values, and proves that there are no
+/// others.
+std::size_t found_one_by_one(const std::string& text) {
+  const Program program = program_of(text);
+  TracingEngine engine(program, {}, {});
+  std::size_t found = 0;
+  while (engine.next()) ++found;
+  CHECK(engine.ending() == Ending::kExhausted);
+  return found;
+}
+
+TEST_CASE(
+    "counts: exactly one, at most one or all but one of some conditions, in groups where they are many") {
+  for (const std::size_t n : {4, 5, 6, 7, 8, 9, 13, 17, 22}) {
+    const std::string flips =
+        fmt::format("xs = [flip() for i in 1..{}]; number = sum([cond(x, 1, 0) for x in xs]);\n", n);
+    CAPTURE(flips);
+    CHECK(found_one_by_one(flips + "assert(number == 1); return xs;") == n);
+    CHECK(found_one_by_one(flips + "assert(number <= 1); return xs;") == n + 1);
+    CHECK(found_one_by_one(flips + fmt::format("assert(number >= {}); return xs;", n - 1)) == n + 1);
+  }
 }
 
 }  // namespace
