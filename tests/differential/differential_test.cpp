@@ -69,6 +69,7 @@ TEST_CASE("differential: generated programs have brute force's solutions, part 3
 TEST_CASE("differential: programs that once went wrong have brute force's solutions (slow)") {
   const std::filesystem::path folder = SOLITAIRE_SOURCE_DIR "/tests/differential";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".sol") continue;
     const std::string name = entry.path().filename().string();
     CAPTURE(name);
     const Comparison result = compare_engines({{{name, read_file(entry.path())}}}, 1);
