@@ -89,7 +89,7 @@ bool CostCores::raise(std::span<const NodeId> core) {
   const auto is_in_core = [&](const Cost& cost) {
     return cost.weight >= stratum_ && in_core.count(cost.unpaid) != 0;
   };
-  const auto middle = std::ranges::stable_partition(costs_, std::not_fn(is_in_core)).begin();
+  const auto middle = std::stable_partition(costs_.begin(), costs_.end(), std::not_fn(is_in_core));
   const std::vector<Cost> paid(middle, costs_.end());
   if (paid.empty()) return false;
   costs_.erase(middle, costs_.end());
