@@ -363,20 +363,22 @@ TEST_CASE("command: densities that are no distributions, or too sharp to follow,
 
 TEST_CASE("command: where a density is infinite the program is wrong, whichever engine comes there") {
   const Workplace place;
-  const std::pair<const char*, const char*> each[] = {
-      {"s = range(0, 300);\nfactor(-log(1.0 * s));\nreturn s < 20;\n",
-       "2:9: error: 'log' of 0.0 has no value"},
-      {"s = range(0, 30);\nfactor(exp(24 * s));\nreturn s;\n",
-       "2:1: error: 'factor' makes an execution infinitely probable"},
-      {"x = normal(0, 1);\nfactor(cond(x > 2.5, exp(1000 * x), 0));\nreturn x;\n",
-       "2:1: error: 'factor' makes an execution infinitely probable"}};
+  const struct {
+    const char* text;
+    const char* error;
+  } each[] = {{"s = range(0, 300);\nfactor(-log(1.0 * s));\nreturn s < 20;\n",
+               "2:9: error: 'log' of 0.0 has no value"},
+              {"s = range(0, 30);\nfactor(exp(24 * s));\nreturn s;\n",
+               "2:1: error: 'factor' makes an execution infinitely probable"},
+              {"x = normal(0, 1);\nfactor(cond(x > 2.5, exp(1000 * x), 0));\nreturn x;\n",
+               "2:1: error: 'factor' makes an execution infinitely probable"}};
   for (const char* engine : {"shred", "lightweight"}) {
-    for (const auto& [text, error] : each) {
-      CAPTURE(text);
-      const Outcome outcome = run_solitaire(
-          {"sample", place.file("pole.sol", text), "-q", "--engine", engine, "-n", "20000", "--seed", "4"});
+    for (const auto& wrong : each) {
+      CAPTURE(wrong.text);
+      const Outcome outcome = run_solitaire({"sample", place.file("pole.sol", wrong.text), "-q", "--engine",
+                                             engine, "-n", "20000", "--seed", "4"});
       CHECK(outcome.status == 3);
-      CHECK(outcome.err.find(error) != std::string::npos);
+      CHECK(outcome.err.find(wrong.error) != std::string::npos);
     }
   }
 }
