@@ -128,7 +128,7 @@ std::string in_field(const Field& field, const Value& known) {
   if (field.decimals) {
     const auto* i = known.get<std::int64_t>();
     const double number = i != nullptr ? static_cast<double>(*i) : *known.get<double>();
-    return padded(field, fmt::format("{:.{}f}", number, *field.decimals));
+    return padded(field, fmt::format("{:.{}f}", number + 0.0, *field.decimals));  // without the sign of -0.0
   }
   const String* text = known.object<String>();
   return padded(field, text != nullptr ? text->text : to_text(known));

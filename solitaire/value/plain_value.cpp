@@ -11,6 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Texts do not tell 0.0 from -0.0, as nothing in the language does: the two are equal, so that one of them
+/// may stand for both.
+double unsigned_zero(double value) { return value + 0.0; }
+
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 /// Returns true if the JSON string of the text is the text between quotes.
@@ -38,7 +42,7 @@ struct JsonWriter {
   void operator()(const PlainValue::Nil&) const { json += "null"; }
   void operator()(bool value) const { json += value ? "true" : "false"; }
   void operator()(std::int64_t value) const { json += std::to_string(value); }
-  void operator()(double value) const { json += dumped(value); }
+  void operator()(double value) const { json += dumped(unsigned_zero(value)); }
   void operator()(const std::string& text) const { json += json_string(text); }
   void operator()(const PlainValue::List& list) const {
     append_list(json, '[', list.items.size(), ']', ",",
@@ -115,7 +119,7 @@ std::string json_string(std::string_view text) {
 }
 
 std::string float_text(double value) {
-  std::string text = fmt::format("{}", value);
+  std::string text = fmt::format("{}", unsigned_zero(value));
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }

@@ -5,7 +5,7 @@ import math
 import re
 from pathlib import Path
 
-from .operators import BINARY, Rejected, condition, within_62_bits
+from .operators import BINARY, Rejected, condition, one_zero, within_62_bits
 from .syntax import ProgramError
 from .values import Builtin, is_number, kind, same, text
 
@@ -138,7 +138,7 @@ def floor(run, call):
 def power(run, call):
     base, exponent = float(a_number(call, "base")), float(a_number(call, "exponent"))
     try:
-        return math.pow(base, exponent)
+        return one_zero(math.pow(base, exponent))
     except OverflowError:
         return -math.inf if base < 0 and exponent % 2 == 1 else math.inf
     except ValueError as error:
@@ -158,7 +158,7 @@ def of_float(function):
     def run_function(run, call):
         number = float(a_number(call))
         try:
-            return function(number)
+            return one_zero(function(number))
         except (ValueError, OverflowError) as error:
             raise ProgramError(call.place, f"this function of {number} has no value") from error
 

@@ -17,7 +17,12 @@ def finite(value, operands, place):
         raise ProgramError(place, "this has no value")
     if math.isinf(value) and all(map(math.isfinite, operands)):
         raise ProgramError(place, "this float grows past the largest one")
-    return value
+    return one_zero(value)
+
+
+def one_zero(value):
+    """The language has no -0.0."""
+    return value + 0.0
 
 
 def within_62_bits(value, place):
@@ -104,7 +109,7 @@ def condition(value, place):
 def negative(value, place):
     if not is_number(value):
         raise ProgramError(place, f"'-' does not go with {kind(value)}")
-    return -value
+    return 0 - value  # 0.0 and not -0.0 for 0.0
 
 
 def element(base, index, place):
