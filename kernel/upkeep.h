@@ -19,8 +19,8 @@ struct Upkeep {
   /// The same where its slice has been accepted, which has written the cells of the program's own code.
   std::vector<std::vector<Instruction>> accepted;
   std::vector<bool> keeps_all;  // of the choices: whether `changes` leaves no cell of the program behind
-  std::vector<Instruction>
-      derived;  // makes those of the kept cells that the program's own code does not make
+  /// Makes those of the kept cells that the program's own code does not make.
+  std::vector<Instruction> derived;
   std::vector<Instruction> outputs;
 };
 

@@ -15,11 +15,6 @@ namespace {
 /// all values.
 constexpr std::size_t kMostOperationsWritten = 2000;
 
-NodeId constant_of(Graph& graph, Type type, Scalar value) {
-  if (type == Type::kFloat) return graph.constant(value.f);
-  return type == Type::kBool ? graph.constant(value.i != 0) : graph.constant(value.i);
-}
-
 /// The trace behind a choice, as it is where the choice has a certain value.
 class Substitution {
  public:
@@ -49,7 +44,7 @@ class Substitution {
     if (constant) {
       const Instruction step{node.op, 3, {0, 1, 2}};
       run(std::span(&step, 1), cells.data());
-      return constant_of(graph_, node.type(), cells[3]);
+      return graph_.constant(node.type(), cells[3]);
     }
     if (arity == 1) return graph_.apply(node.op, {operands[0]});
     if (arity == 2) return graph_.apply(node.op, {operands[0], operands[1]});

@@ -57,7 +57,7 @@ NodeId Graph::constant(double value) {
   return intern({Op::kConstFloat, true, {}, {}, std::bit_cast<std::uint64_t>(value)});
 }
 
-NodeId Graph::make_constant(Type type, Scalar value) {
+NodeId Graph::constant(Type type, Scalar value) {
   switch (type) {
     case Type::kBool:
       return constant(value.i != 0);
@@ -94,7 +94,7 @@ NodeId Graph::fold(Op op, std::span<const NodeId> operands) {
   const Operation& row = operation(op);
   const std::optional<Scalar> result = row.fold(values.data());
   if (!result) throw UndefinedOperation(op);
-  return make_constant(row.result, *result);
+  return constant(row.result, *result);
 }
 
 /// One order for what can stand in either, so that equals meet: constants last, else the older node first.

@@ -64,6 +64,7 @@ class Graph {
   NodeId constant(bool value) { return value ? kTrue : kFalse; }
   NodeId constant(std::int64_t value);
   NodeId constant(double value);
+  NodeId constant(Type type, Scalar value);
   /// The choice as a node: an int for an int or, as 0 or 1, a bool; a float for a float. A choice with one
   /// value alone is a constant.
   NodeId choice(const ChoiceVariable& variable);
@@ -98,7 +99,6 @@ class Graph {
 
  private:
   NodeId intern(const Node& node);
-  NodeId make_constant(Type type, Scalar value);
   NodeId fold(Op op, std::span<const NodeId> operands);
   std::optional<NodeId> simplify(Op op, std::span<const NodeId> operands);
   std::optional<NodeId> simplify_add(NodeId a, NodeId b);

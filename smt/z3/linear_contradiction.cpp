@@ -9,16 +9,35 @@
 namespace solitaire {
 namespace {
 
-/// The rows themselves, as a system of linear inequalities.
-class Rows {
- public:
-  Rows(std::span<const LinearRow> rows, std::span<const Interval> ranges) {
+/// A system of linear inequalities, on which only so much effort is spent.
+class LinearSystem {
+ protected:
+  LinearSystem() {
     z3::params params(context_);
     params.set("rlimit", tuning::kMostLinearEffort);
     params.set("ctrl_c", false);
     solver_.set(params);
+  }
+
+  z3::expr number(std::int64_t value) { return context_.real_val(value); }
+
+  /// A constant whose name is the number of those made before.
+  z3::expr next_constant(const z3::sort& sort) {
+    return {context_, Z3_mk_const(context_, Z3_mk_int_symbol(context_, made_++), sort)};
+  }
+
+  Z3Context owned_;
+  z3::context& context_ = *owned_;
+  z3::solver solver_{context_, "QF_LRA"};
+  int made_ = 0;
+};
+
+/// The rows themselves.
+class Rows : private LinearSystem {
+ public:
+  Rows(std::span<const LinearRow> rows, std::span<const Interval> ranges) {
     for (const Interval range : ranges) {
-      unknowns_.push_back(constant(context_.real_sort()));
+      unknowns_.push_back(next_constant(context_.real_sort()));
       solver_.add(unknowns_.back() >= number(range.lo) && unknowns_.back() <= number(range.hi));
     }
     first_row_ = made_;
@@ -37,36 +56,22 @@ class Rows {
   }
 
  private:
-  z3::expr number(std::int64_t value) { return context_.real_val(value); }
-
-  z3::expr constant(const z3::sort& sort) {
-    return {context_, Z3_mk_const(context_, Z3_mk_int_symbol(context_, made_++), sort)};
-  }
-
   void add(const LinearRow& row) {
     z3::expr_vector terms(context_);
     for (const LinearTerm& term : row.terms)
       terms.push_back(number(term.factor) * unknowns_[static_cast<unsigned>(term.unknown)]);
     terms.push_back(number(0));  // Z3 adds up no empty list
-    solver_.add(z3::sum(terms) <= number(row.most), constant(context_.bool_sort()));
+    solver_.add(z3::sum(terms) <= number(row.most), next_constant(context_.bool_sort()));
   }
 
-  Z3Context owned_;
-  z3::context& context_ = *owned_;
-  z3::solver solver_{context_, "QF_LRA"};
-  int made_ = 0, first_row_ = 0;
+  int first_row_ = 0;
   z3::expr_vector unknowns_{context_};
 };
 
-/// The question for multipliers, as a system of linear inequalities.
-class Multipliers {
+/// The question for multipliers.
+class Multipliers : private LinearSystem {
  public:
-  Multipliers(std::span<const LinearRow> rows, std::span<const Interval> ranges)
-      : ranges_(ranges), solver_(context_, "QF_LRA") {
-    z3::params params(context_);
-    params.set("rlimit", tuning::kMostLinearEffort);
-    params.set("ctrl_c", false);
-    solver_.set(params);
+  Multipliers(std::span<const LinearRow> rows, std::span<const Interval> ranges) : ranges_(ranges) {
     for (std::size_t i = 0; i < ranges.size(); ++i) factors_.emplace_back(context_);  // copies would be one
     least_.push_back(context_.real_val(0));  // Z3 adds up no empty list
     most_.push_back(context_.real_val(0));
@@ -99,17 +104,14 @@ class Multipliers {
   }
 
  private:
-  z3::expr number(std::int64_t value) { return context_.real_val(value); }
-
-  z3::expr at_least_zero(unsigned index) {
-    const z3::expr made(context_, Z3_mk_const(context_, Z3_mk_int_symbol(context_, static_cast<int>(index)),
-                                              context_.real_sort()));
+  z3::expr at_least_zero() {
+    const z3::expr made = next_constant(context_.real_sort());
     solver_.add(made >= 0);
     return made;
   }
 
   void add(const LinearRow& row) {
-    const z3::expr multiplier = at_least_zero(made_++);
+    const z3::expr multiplier = at_least_zero();
     multipliers_.push_back(multiplier);
     most_.push_back(multiplier * number(row.most));
     for (const LinearTerm& term : row.terms)
@@ -120,16 +122,12 @@ class Multipliers {
     if (factors_[unknown].empty()) return;
     const Interval range = ranges_[unknown];
     const z3::expr factor = z3::sum(factors_[unknown]);
-    const z3::expr negative = at_least_zero(made_++);
+    const z3::expr negative = at_least_zero();
     solver_.add(negative + factor >= 0);
     least_.push_back(factor * number(range.lo) - negative * number(range.hi - range.lo));
   }
 
-  Z3Context owned_;
-  z3::context& context_ = *owned_;
   std::span<const Interval> ranges_;
-  z3::solver solver_;
-  unsigned made_ = 0;
   std::vector<z3::expr> multipliers_;
   std::vector<z3::expr_vector> factors_;  // by unknown: those that it has in the sum
   z3::expr_vector least_{context_}, most_{context_};

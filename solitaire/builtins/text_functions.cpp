@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solitaire/run/evaluation.h"
+#include "solitaire/value/plain_value.h"
 
 namespace solitaire {
 namespace {
@@ -128,7 +129,7 @@ std::string in_field(const Field& field, const Value& known) {
   if (field.decimals) {
     const auto* i = known.get<std::int64_t>();
     const double number = i != nullptr ? static_cast<double>(*i) : *known.get<double>();
-    return padded(field, fmt::format("{:.{}f}", number + 0.0, *field.decimals));  // without the sign of -0.0
+    return padded(field, fmt::format("{:.{}f}", unsigned_zero(number), *field.decimals));
   }
   const String* text = known.object<String>();
   return padded(field, text != nullptr ? text->text : to_text(known));

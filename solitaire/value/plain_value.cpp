@@ -11,10 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Texts do not tell 0.0 from -0.0, as nothing in the language does: the two are equal, so that one of them
-/// may stand for both.
-double unsigned_zero(double value) { return value + 0.0; }
-
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 /// Returns true if the JSON string of the text is the text between quotes.

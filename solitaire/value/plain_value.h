@@ -42,6 +42,10 @@ std::string to_json(const PlainValue& value);
 /// `text` as a JSON string, quotes included; broken UTF-8 is replaced.
 std::string json_string(std::string_view text);
 
+/// Returns 0.0 for -0.0. Texts do not tell the two apart, as nothing in the language does: they are equal, so
+/// that one of them may stand for both.
+inline double unsigned_zero(double value) { return value + 0.0; }
+
 /// The shortest text that reads back as the same float, and as a float.
 std::string float_text(double value);
 

@@ -71,8 +71,8 @@ class Chokepoints {
   const Topology& topology_;
   const std::vector<Sides>& open_;
   const Grid& map_;
-  std::vector<std::uint32_t> order_,
-      back_;  // by site: when it was met from 1 on, the earliest one it leads to
+  /// By site: when it was met, counted from 1, and when the earliest site was met that it leads to.
+  std::vector<std::uint32_t> order_, back_;
   std::uint32_t last_ = 0;
   std::vector<Visit> way_;
   std::uint64_t found_ = 0;
