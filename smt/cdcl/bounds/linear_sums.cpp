@@ -38,4 +38,45 @@ void LinearSums::note(std::uint32_t chain, const OrderChains::Chain& before,
   }
 }
 
+bool LinearSums::apply(std::uint32_t number, const OrderChains& chains, Trail& trail) const {
+  const Sum& sum = sums_[number];
+  const std::int64_t slack = sum.most - sum.least;
+  if (slack >= sum.widest) return true;
+  const int guard = trail.value(sum.guard);
+  if (guard < 0) return true;
+  if (slack < 0) return assign(-sum.guard, number, kNoTerm, chains, trail);
+  if (guard == 0) return true;
+  for (std::uint32_t term = sum.begin; term < sum.end; ++term) {
+    if (!apply(number, term, slack, chains, trail)) return false;
+  }
+  return true;
+}
+
+/// Assigns that an int is no worse than at the last value with which the sum can still come to enough.
+bool LinearSums::apply(std::uint32_t sum, std::uint32_t number, std::int64_t slack, const OrderChains& chains,
+                       Trail& trail) const {
+  const Term& term = terms_[number];
+  const OrderChains::Chain& chain = chains[term.chain];
+  if (chain.reached >= chain.limit) return true;
+  const std::int64_t* const weights = &weights_[term.weights];
+  const std::int64_t least = weights[best(term, chain)] - slack;
+  std::uint32_t at = term.grows ? chain.reached : chain.limit;
+  if (weights[at] >= least) return true;
+  while (weights[at] < least) at = term.grows ? at + 1 : at - 1;
+  return assign(term.grows ? chain.literals[at - 1] : -chain.literals[at], sum, number, chains, trail);
+}
+
+/// Assigns what follows from a sum. Returns false if that is false already.
+bool LinearSums::assign(int literal, std::uint32_t sum, std::uint32_t term, const OrderChains& chains,
+                        Trail& trail) const {
+  const int value = trail.value(literal);
+  if (value == 0) trail.assign(literal, {Reason::kSum, static_cast<int>(sum), static_cast<int>(term)});
+  if (value >= 0) return true;
+  std::vector<int> broken{literal};
+  const auto holds = [&](int other) { return trail.value(other) > 0; };
+  explain(sum, term, chains, holds, [&](int other) { broken.push_back(other); });
+  trail.break_clause(broken);
+  return false;
+}
+
 }  // namespace solitaire

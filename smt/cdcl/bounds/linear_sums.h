@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "smt/cdcl/bounds/order_chains.h"
+#include "smt/cdcl/trail.h"
 #include "smt/sat/cnf.h"
 #include "smt/sat/grouped_table.h"
 #include "smt/sat/literal_table.h"
@@ -30,23 +31,19 @@ class LinearSums {
 
   /// Takes note that the bounds of a chain have changed, or that such a change was taken back.
   void note(std::uint32_t chain, const OrderChains::Chain& before, const OrderChains::Chain& after);
-  /// Each of these looks at what follows since a bound of a chain has changed, since a guard holds, or at
-  /// all. host.assign_by_sum(literal, sum, term) assigns what follows, and returns false if it is false
-  /// already; then so do these, at once.
-  template <class Host>
-  bool visit_chain(std::uint32_t chain, const OrderChains& chains, Host& host) const {
+  /// Each of these assigns what follows since a bound of a chain has changed, since a guard holds, or at all.
+  /// Returns false at once where that is false already.
+  bool visit_chain(std::uint32_t chain, const OrderChains& chains, Trail& trail) const {
     return std::ranges::all_of(of_chain_.of(chain),
-                               [&](const Place& place) { return apply(place.sum, chains, host); });
+                               [&](const Place& place) { return apply(place.sum, chains, trail); });
   }
-  template <class Host>
-  bool visit_guard(int guard, const OrderChains& chains, Host& host) const {
+  bool visit_guard(int guard, const OrderChains& chains, Trail& trail) const {
     return std::ranges::all_of(guarded_.of(guard),
-                               [&](std::uint32_t sum) { return apply(sum, chains, host); });
+                               [&](std::uint32_t sum) { return apply(sum, chains, trail); });
   }
-  template <class Host>
-  bool visit_all(const OrderChains& chains, Host& host) const {
+  bool visit_all(const OrderChains& chains, Trail& trail) const {
     for (std::uint32_t sum = 0; sum < sums_.size(); ++sum) {
-      if (!apply(sum, chains, host)) return false;
+      if (!apply(sum, chains, trail)) return false;
     }
     return true;
   }
@@ -83,11 +80,11 @@ class LinearSums {
   static std::uint32_t best(const Term& term, const OrderChains::Chain& chain) {
     return term.grows ? chain.limit : chain.reached;
   }
-  template <class Host>
-  bool apply(std::uint32_t number, const OrderChains& chains, Host& host) const;
-  template <class Host>
+  bool apply(std::uint32_t number, const OrderChains& chains, Trail& trail) const;
   bool apply(std::uint32_t sum, std::uint32_t number, std::int64_t slack, const OrderChains& chains,
-             Host& host) const;
+             Trail& trail) const;
+  bool assign(int literal, std::uint32_t sum, std::uint32_t term, const OrderChains& chains,
+              Trail& trail) const;
 
   std::vector<Sum> sums_;
   std::vector<Term> terms_;
@@ -96,36 +93,6 @@ class LinearSums {
   GroupedTable<Place> of_chain_;         // where each chain stands
   LiteralTable<std::uint32_t> guarded_;  // the sums of each guard
 };
-
-template <class Host>
-bool LinearSums::apply(std::uint32_t number, const OrderChains& chains, Host& host) const {
-  const Sum& sum = sums_[number];
-  const std::int64_t slack = sum.most - sum.least;
-  if (slack >= sum.widest) return true;
-  const int guard = host.value(sum.guard);
-  if (guard < 0) return true;
-  if (slack < 0) return host.assign_by_sum(-sum.guard, number, kNoTerm);
-  if (guard == 0) return true;
-  for (std::uint32_t term = sum.begin; term < sum.end; ++term) {
-    if (!apply(number, term, slack, chains, host)) return false;
-  }
-  return true;
-}
-
-/// Assigns that an int is no worse than at the last value with which the sum can still come to enough.
-template <class Host>
-bool LinearSums::apply(std::uint32_t sum, std::uint32_t number, std::int64_t slack, const OrderChains& chains,
-                       Host& host) const {
-  const Term& term = terms_[number];
-  const OrderChains::Chain& chain = chains[term.chain];
-  if (chain.reached >= chain.limit) return true;
-  const std::int64_t* const weights = &weights_[term.weights];
-  const std::int64_t least = weights[best(term, chain)] - slack;
-  std::uint32_t at = term.grows ? chain.reached : chain.limit;
-  if (weights[at] >= least) return true;
-  while (weights[at] < least) at = term.grows ? at + 1 : at - 1;
-  return host.assign_by_sum(term.grows ? chain.literals[at - 1] : -chain.literals[at], sum, number);
-}
 
 template <class IsKnown, class Visit>
 void LinearSums::explain(std::uint32_t number, std::uint32_t assigned, const OrderChains& chains,

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "smt/cdcl/bounds/linear_sums.h"
 #include "smt/cdcl/bounds/order_chains.h"
 #include "smt/cdcl/bounds/order_differences.h"
 #include "smt/cdcl/bounds/order_implications.h"
+#include "smt/cdcl/trail.h"
 #include "smt/sat/cnf.h"
 
 namespace solitaire {
@@ -28,15 +30,10 @@ class OrderBounds {
   /// Makes the tables, for variables below `variables`. To be called once.
   void build(std::size_t variables);
 
-  /// Looks at what follows from sums before anything is assigned.
-  template <class Host>
-  bool visit_all(Host& host) const {
-    return sums_.visit_all(chains_, host);
-  }
-  /// Takes note that a literal holds, and has the host assign what follows; see the classes of the conditions
-  /// for what it is asked. Returns false if a clause is broken.
-  template <class Host>
-  bool visit(int assigned, Host& host);
+  /// Assigns what follows from sums before anything is assigned. Returns false if one cannot come to enough.
+  bool visit_all(Trail& trail) const { return sums_.visit_all(chains_, trail); }
+  /// Takes note that a literal holds, and assigns what follows. Returns false if a clause is broken.
+  bool visit(int assigned, Trail& trail);
 
   /// The clause of a difference, by which a literal was assigned.
   OrderDifferences::Clause clause_of_difference(std::uint32_t step, std::uint32_t position) const {
@@ -48,15 +45,16 @@ class OrderBounds {
     sums_.explain(sum, term, chains_, is_known, visit);
   }
 
-  /// Returns how often a bound was changed. undo_to() takes back the changes after so many.
-  std::size_t changes() const { return chains_.changes(); }
-  void undo_to(std::size_t changes);
+  /// undo_level() takes back what bounds have changed since the begin_level() that goes with it.
+  void begin_level() { levels_.push_back(chains_.changes()); }
+  void undo_level();
 
  private:
   OrderChains chains_;
   OrderImplications implications_;
   OrderDifferences differences_;
   LinearSums sums_;
+  std::vector<std::size_t> levels_;  // how often a bound was changed before each
 };
 
 template <class Visit>
@@ -65,30 +63,6 @@ void OrderBounds::for_each_literal(Visit visit) const {
   differences_.for_each_guard(visit);
   sums_.for_each_guard(visit);
   for (std::uint32_t i = 0; i < chains_.size(); ++i) std::ranges::for_each(chains_[i].literals, visit);
-}
-
-template <class Host>
-bool OrderBounds::visit(int assigned, Host& host) {
-  // Most formulas have conditions of one kind only, and what is empty is not looked at.
-  const auto follows = [&](std::uint32_t chain) {
-    return (differences_.empty() || differences_.visit_chain(chain, chains_, host)) &&
-           (sums_.empty() || sums_.visit_chain(chain, chains_, host));
-  };
-  for (const OrderChains::Place place : chains_.places(assigned)) {
-    const OrderChains::Chain before = chains_[place.chain];
-    if (!chains_.raise(place)) continue;
-    if (!sums_.empty()) sums_.note(place.chain, before, chains_[place.chain]);
-    if (!implications_.visit_raised(place.chain, chains_, host) || !follows(place.chain)) return false;
-  }
-  for (const OrderChains::Place place : chains_.places(-assigned)) {
-    const OrderChains::Chain before = chains_[place.chain];
-    if (!chains_.lower(place)) continue;
-    if (!sums_.empty()) sums_.note(place.chain, before, chains_[place.chain]);
-    if (!implications_.visit_lowered(place.chain, chains_, host) || !follows(place.chain)) return false;
-  }
-  return implications_.visit_guard(assigned, chains_, host) &&
-         (differences_.empty() || differences_.visit_guard(assigned, chains_, host)) &&
-         (sums_.empty() || sums_.visit_guard(assigned, chains_, host));
 }
 
 }  // namespace solitaire

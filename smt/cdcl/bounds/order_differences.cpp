@@ -55,4 +55,62 @@ OrderDifferences::Clause OrderDifferences::clause(std::uint32_t number, std::uin
   return made;
 }
 
+bool OrderDifferences::visit_chain(std::uint32_t chain, const OrderChains& chains, Trail& trail) {
+  if (!leave_taken(chain, chains, trail)) return false;
+  if (chains[chain].is_decided()) {
+    bool holds = true;
+    for_each_taken(chain, chains[chain].reached,
+                   [&](std::uint32_t other, std::uint32_t& entry, std::uint32_t step) {
+                     if (entry != kFree || !holds) return;
+                     entry = 1 + step;
+                     holds = leave_taken(other, chains, trail);
+                   });
+    if (!holds) return false;
+  }
+  return std::ranges::all_of(guarded_of_.of(chain),
+                             [&](std::uint32_t step) { return apply(step, chains, trail); });
+}
+
+/// Makes an int leave its lowest and its highest value, if another one took that.
+bool OrderDifferences::leave_taken(std::uint32_t number, const OrderChains& chains, Trail& trail) const {
+  const OrderChains::Chain& chain = chains[number];
+  const std::uint32_t* const taken = taken_.data() + starts_[number];
+  if (starts_[number] == starts_[number + 1]) return true;
+  for (const std::uint32_t at : {chain.reached, chain.limit}) {
+    if (taken[at] == kFree) continue;
+    const Step& step = steps_[taken[at] - 1];
+    const std::uint32_t position = step.a == number ? at : at - step.base + step.first;
+    if (!apply(taken[at] - 1, position, chains, trail)) return false;
+  }
+  return true;
+}
+
+bool OrderDifferences::apply(std::uint32_t number, const OrderChains& chains, Trail& trail) const {
+  const Step& step = steps_[number];
+  const OrderChains::Chain &a = chains[step.a], &b = chains[step.b];
+  if (a.is_decided()) {
+    if (a.reached < step.first || a.reached >= step.first + step.count) return true;
+    return apply(number, a.reached, chains, trail);
+  }
+  if (!b.is_decided() || b.reached < step.base || b.reached >= step.base + step.count) return true;
+  return apply(number, b.reached - step.base + step.first, chains, trail);
+}
+
+bool OrderDifferences::apply(std::uint32_t step, std::uint32_t position, const OrderChains& chains,
+                             Trail& trail) const {
+  const Clause literals = clause(step, position, chains);
+  int open = 0;
+  for (const int literal : literals) {
+    const int value = trail.value(literal);
+    if (value > 0 || (value == 0 && open != 0)) return true;
+    if (value == 0) open = literal;
+  }
+  if (open != 0) {
+    trail.assign(open, {Reason::kDifference, static_cast<int>(step), static_cast<int>(position)});
+    return true;
+  }
+  trail.break_clause({literals.begin(), literals.end()});
+  return false;
+}
+
 }  // namespace solitaire

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "smt/cdcl/bounds/order_chains.h"
+#include "smt/cdcl/trail.h"
 #include "smt/sat/cnf.h"
 #include "smt/sat/grouped_table.h"
 #include "smt/sat/literal_table.h"
@@ -17,7 +18,7 @@ namespace solitaire {
 /// 1 implies y >= 1, up to x >= 9 implies y >= 9. Once x >= 5 holds, the fifth clause gives y >= 5. The first
 /// four say nothing more, and the last four nothing yet.
 ///
-/// Each clause that is given to `host.apply` is one of the order implication, or follows from one because the
+/// Each clause that is applied is one of the order implication, or follows from one because the
 /// literals of a chain hold in order. It need not follow from clauses that the solver knows: whatever values
 /// the choices have, a model can give each literal of a chain the value that it stands for.
 class OrderImplications {
@@ -33,20 +34,17 @@ class OrderImplications {
   /// Each of these looks at what follows since the lowest value left of a chain has grown, since the highest
   /// has fallen, or since a guard holds. host.apply(a, b, c) assigns what follows from a clause, and returns
   /// false if the clause is broken; then so do these, at once.
-  template <class Host>
-  bool visit_raised(std::uint32_t chain, const OrderChains& chains, Host& host) const {
-    return std::ranges::all_of(as_lower_.of(chain),
-                               [&](std::uint32_t step) { return apply_reached(steps_[step], chains, host); });
+  bool visit_raised(std::uint32_t chain, const OrderChains& chains, Trail& trail) const {
+    return std::ranges::all_of(
+        as_lower_.of(chain), [&](std::uint32_t step) { return apply_reached(steps_[step], chains, trail); });
   }
-  template <class Host>
-  bool visit_lowered(std::uint32_t chain, const OrderChains& chains, Host& host) const {
+  bool visit_lowered(std::uint32_t chain, const OrderChains& chains, Trail& trail) const {
     return std::ranges::all_of(as_upper_.of(chain),
-                               [&](std::uint32_t step) { return apply_limit(steps_[step], chains, host); });
+                               [&](std::uint32_t step) { return apply_limit(steps_[step], chains, trail); });
   }
-  template <class Host>
-  bool visit_guard(int guard, const OrderChains& chains, Host& host) const {
+  bool visit_guard(int guard, const OrderChains& chains, Trail& trail) const {
     return std::ranges::all_of(guarded_.of(guard), [&](std::uint32_t step) {
-      return apply_reached(steps_[step], chains, host) && apply_limit(steps_[step], chains, host);
+      return apply_reached(steps_[step], chains, trail) && apply_limit(steps_[step], chains, trail);
     });
   }
 
@@ -58,10 +56,8 @@ class OrderImplications {
     std::uint32_t first, base, count;
   };
 
-  template <class Host>
-  static bool apply_reached(const Step& step, const OrderChains& chains, Host& host);
-  template <class Host>
-  static bool apply_limit(const Step& step, const OrderChains& chains, Host& host);
+  static bool apply_reached(const Step& step, const OrderChains& chains, Trail& trail);
+  static bool apply_limit(const Step& step, const OrderChains& chains, Trail& trail);
 
   std::vector<Step> steps_;
   std::size_t built_ = 0;                            // so many of the steps are in the tables
@@ -69,32 +65,8 @@ class OrderImplications {
   LiteralTable<std::uint32_t> guarded_;              // the steps of each guard
 };
 
-/// Applies what follows from the lower int's bound: the upper int has at least some value or, if it cannot
 /// have it, the guard does not hold.
-template <class Host>
-bool OrderImplications::apply_reached(const Step& step, const OrderChains& chains, Host& host) {
-  const OrderChains::Chain& lower = chains[step.lower];
-  const int guard = host.value(step.guard);
-  if (lower.reached <= step.first || guard < 0) return true;
-  const OrderChains::Chain& upper = chains[step.upper];
-  const std::uint32_t at = step.base + std::min(lower.reached - 1 - step.first, step.count - 1);
-  if (at < upper.limit && guard == 0) return true;
-  return host.apply(-step.guard, -lower.literals[lower.reached - 1],
-                    upper.literals[std::min(at, upper.limit)]);
-}
 
-/// Applies what follows from the upper int's bound: the lower int has at most some value or, if it is beyond
 /// that already, the guard does not hold.
-template <class Host>
-bool OrderImplications::apply_limit(const Step& step, const OrderChains& chains, Host& host) {
-  const OrderChains::Chain& upper = chains[step.upper];
-  const int guard = host.value(step.guard);
-  if (upper.limit >= step.base + step.count || guard < 0) return true;
-  const OrderChains::Chain& lower = chains[step.lower];
-  const std::uint32_t at = step.first + (upper.limit > step.base ? upper.limit - step.base : 0);
-  if (at >= lower.reached && guard == 0) return true;
-  return host.apply(-step.guard, -lower.literals[at < lower.reached ? lower.reached - 1 : at],
-                    upper.literals[upper.limit]);
-}
 
 }  // namespace solitaire
