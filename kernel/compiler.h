@@ -6,8 +6,9 @@
 
 namespace solitaire {
 
-/// Makes machine code of straight-line code, with the same results as run() (machine.h), bit for bit; of NaNs
-/// the payload may be another. What it made lives as long as the compiler does.
+/// Makes machine code of straight-line code. Of the results that last, it gives the same as run()
+/// (machine.h), bit for bit; of NaNs the payload may be another. Other cells of results have anything then.
+/// What it made lives as long as the compiler does.
 ///
 /// It is there for x86-64 processors, and where the system lets memory be written and then executed.
 /// Elsewhere nothing is made, and run() does all of the work.

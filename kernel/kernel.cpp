@@ -15,9 +15,6 @@ constexpr std::uint64_t kRescoreEvery = std::uint64_t{1} << 20;
 
 /// To compile code takes as long as some hundred runs of it.
 constexpr std::uint32_t kCompiledAfter = 300;
-/// What comes between two choices, or keeps cells, is compiled if it is as long: machine code takes a page of
-/// memory.
-constexpr std::size_t kShortestCompiled = 16;
 
 /// A bool is an int of 0 or 1.
 double number(Scalar value, Type type) {
@@ -123,7 +120,7 @@ Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
 /// Both machines give the same, so it does not matter when the faster one takes over.
 bool Kernel::run_code(std::span<const Instruction> code, Compiled& compiled) {
   if (compiled.code != nullptr) return compiled.code(cells_.data());
-  if (compiles_ && code.size() >= kShortestCompiled && ++compiled.runs == kCompiledAfter)
+  if (compiles_ && !code.empty() && ++compiled.runs == kCompiledAfter)
     compiled.code = compiler_.compile(code);
   return run(code, cells_.data());
 }
@@ -131,6 +128,7 @@ bool Kernel::run_code(std::span<const Instruction> code, Compiled& compiled) {
 void Kernel::differentiate() {
   Slice& slice = slices_.back();
   slopes_ = add_gradient(program_, floats_.size(), slice);
+  find_lasting(slopes_, slice);
   cells_.resize(std::max(cells_.size(), program_.cells.size() + floats_.size() + slice.code.size()));
 }
 
@@ -195,7 +193,7 @@ bool Kernel::set(ChoiceNumber choice, Scalar value) {
   if (underived_) derive();
   const Scalar before = cells_[program_.choices[choice].cell];
   proposed_bits_.reset();
-  stale_ = stale_ || !upkeep_.keeps_all[choice];
+  stale_ = true;
   if (change(choice, value)) return true;
   change(choice, before);
   return false;
@@ -234,7 +232,8 @@ Distribution Kernel::domain(ChoiceNumber choice) const {
   if (made.family == Distribution::Family::kRange || made.family == Distribution::Family::kIndex) {
     made.lo = parameter(0).i;
     made.step = parameter(2).i;
-    made.hi = parameter(1).i - (parameter(1).i - made.lo) % made.step;
+    made.hi = parameter(1).i;
+    if (made.step != 1) made.hi -= (made.hi - made.lo) % made.step;
   } else {
     made.a = parameter(0).f;
     if (at.parameters.size() > 1) made.b = parameter(1).f;

@@ -1,7 +1,10 @@
 #include "kernel/score_program.h"
 
 #include <algorithm>
+#include <map>
 
+#include "kernel/combination.h"
+#include "kernel/few.h"
 #include "kernel/known_forms.h"
 #include "tracegraph/density.h"
 
@@ -56,7 +59,7 @@ class Cells {
       const Graph::Node& node = graph_.node({i});
       cell_of_[i] = add_cell(node, {i});
       if (node.args().empty()) continue;
-      Instruction made{node.op, cell_of_[i], {}};
+      Instruction made(node.op, cell_of_[i], {});
       for (std::size_t k = 0; k < node.args().size(); ++k) made.operands[k] = of(node.args()[k]);
       code.push_back(made);
     }
@@ -99,6 +102,55 @@ double take_constants(const Graph& graph, std::vector<NodeId>& terms) {
   return sum;
 }
 
+/// Terms that depend on the same choices, of which there are few.
+class AlikeTerms {
+ public:
+  AlikeTerms(const Graph& graph, const std::vector<NodeId>& terms) : choices_(graph.size()) {
+    for (std::uint32_t i = 0; i < graph.size(); ++i) {
+      const Graph::Node& node = graph.node({i});
+      if (is_choice(node.op)) choices_[i].add(i);
+      for (const NodeId operand : node.args()) choices_[i].add(choices_[operand.index]);
+    }
+    for (const NodeId term : terms) add(term);
+  }
+
+  /// In the order of their first terms.
+  const std::vector<std::vector<NodeId>>& groups() const { return groups_; }
+
+ private:
+  void add(NodeId term) {
+    const Few& choices = choices_[term.index];
+    std::vector<std::uint32_t> key(choices.begin(), choices.end());
+    std::sort(key.begin(), key.end());
+    if (choices.many()) key.push_back(term.index);
+    const auto [found, is_new] = group_of_.try_emplace(key, groups_.size());
+    if (is_new) groups_.emplace_back();
+    groups_[found->second].push_back(term);
+  }
+
+  std::vector<Few> choices_;  // on which each node depends
+  std::map<std::vector<std::uint32_t>, std::size_t> group_of_;
+  std::vector<std::vector<NodeId>> groups_;
+};
+
+/// Terms that depend on the same choices change together, so that their sum takes their place, in which what
+/// they have in common is computed once.
+std::vector<NodeId> sums_of_alike(Graph& graph, const std::vector<NodeId>& terms) {
+  const AlikeTerms alike_terms(graph, terms);
+  std::vector<NodeId> sums;
+  for (const std::vector<NodeId>& alike : alike_terms.groups()) {
+    Combination sum;
+    for (const NodeId term : alike) sum.add(Combination(graph, term));
+    sum.settle();
+    if (alike.size() > 1 && sum.is_finite() && !sum.is_number()) {
+      sums.push_back(sum.node(graph));
+    } else {
+      sums.insert(sums.end(), alike.begin(), alike.end());
+    }
+  }
+  return sums;
+}
+
 }  // namespace
 
 ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const NodeId> path,
@@ -111,6 +163,7 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
   std::vector<NodeId> numbers;
   for (const double number : kSlopeNumbers) numbers.push_back(graph.constant(number));
   const std::vector<KnownForm> forms = known_forms(graph, trace, demands);
+  demands.terms = sums_of_alike(graph, demands.terms);
   Cells cells(graph, program);
   for (const std::vector<NodeId>* needed : {&demands.terms, &demands.required, &demands.assumed})
     cells.need(*needed);

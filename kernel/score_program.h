@@ -22,9 +22,13 @@ inline constexpr std::array<double, 8> kSlopeNumbers = {0,          1,         0
 
 /// Computes a cell from others. Operands that the operation does not have are 0.
 struct Instruction {
-  Op op;
+  Instruction(Op operation, Cell made, std::array<Cell, 3> read)
+      : result(made), operands(read), op(operation) {}
+
   Cell result;
   std::array<Cell, 3> operands;
+  Op op;
+  bool lasts = true;  // whether something reads the result once all of the code has run
 };
 
 /// The density of executions as a program without control flow, for the executions that take one path: made

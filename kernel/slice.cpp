@@ -124,9 +124,25 @@ std::vector<Slice> slices_of(const ScoreProgram& program) {
 
 void find_commits(const ScoreProgram& program, const std::vector<bool>& kept, std::vector<Slice>& slices) {
   const std::vector<bool> read = cells_read(program, slices);
-  for (Slice& slice : slices)
+  for (Slice& slice : slices) {
     std::copy_if(slice.changes.begin(), slice.changes.end(), std::back_inserter(slice.commits),
                  [&](const Slice::Changed& each) { return read[each.present] || kept[each.present]; });
+    find_lasting({}, slice);
+  }
+}
+
+void find_lasting(std::span<const Cell> more, Slice& slice) {
+  if (slice.code.empty()) return;
+  const Cell first = slice.code.front().result;  // the others follow one behind the other
+  for (Instruction& step : slice.code) step.lasts = false;
+  const auto lasts = [&](Cell cell) {
+    if (cell != kNoCell && cell >= first) slice.code[cell - first].lasts = true;
+  };
+  for (const Slice::Changed& commit : slice.commits) lasts(commit.proposed);
+  for (const auto* cells : {&slice.required, &slice.assumed})
+    for (const Cell cell : *cells) lasts(cell);
+  for (const Cell cell : more) lasts(cell);
+  lasts(slice.difference);
 }
 
 }  // namespace solitaire

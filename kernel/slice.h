@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "kernel/score_program.h"
@@ -31,7 +32,10 @@ struct Slice {
 std::vector<Slice> slices_of(const ScoreProgram& program);
 
 /// Finds the commits: of what changes, cells that something reads which does not change with them, and those
-/// that are kept.
+/// that are kept. Of the code's results, only these and what says how the density changes last.
 void find_commits(const ScoreProgram& program, const std::vector<bool>& kept, std::vector<Slice>& slices);
+
+/// Says which results of the slice's code last: those, and `more`, which are some of its cells, too.
+void find_lasting(std::span<const Cell> more, Slice& slice);
 
 }  // namespace solitaire

@@ -106,9 +106,10 @@ class Keeping {
 class Picking {
  public:
   Picking(const WholeCode& whole, const std::vector<bool>& kept)
-      : whole_(whole), kept_(kept), seen_(whole.code().size(), false) {}
+      : whole_(whole), kept_(kept), asked_(kept.size(), false), seen_(whole.code().size(), false) {}
 
-  /// Makes kept cells, if `anew` has them, and others from kept ones.
+  /// Makes kept cells, if `anew` has them, and others from kept ones. Kept cells and those that are asked for
+  /// last.
   std::vector<Instruction> code(const std::vector<Cell>& cells, bool anew) {
     std::vector<std::uint32_t> found;
     std::vector<Cell> open;
@@ -118,8 +119,10 @@ class Picking {
       found.push_back(whole_.maker(cell));
       open.push_back(cell);
     };
-    for (const Cell cell : cells)
+    for (const Cell cell : cells) {
+      asked_[cell] = true;
       if (anew || !kept_[cell]) need(cell);
+    }
     while (!open.empty()) {
       const Instruction& step = whole_.code()[whole_.maker(open.back())];
       open.pop_back();
@@ -131,14 +134,17 @@ class Picking {
     for (const std::uint32_t number : found) {
       seen_[number] = false;
       made.push_back(whole_.code()[number]);
+      made.back().lasts = kept_[made.back().result] || asked_[made.back().result];
     }
+    for (const Cell cell : cells) asked_[cell] = false;
     return made;
   }
 
  private:
   const WholeCode& whole_;
   const std::vector<bool>& kept_;
-  std::vector<bool> seen_;
+  std::vector<bool> asked_;  // of the cells
+  std::vector<bool> seen_;   // of the instructions
 };
 
 }  // namespace
@@ -154,18 +160,15 @@ Upkeep upkeep_of(const ScoreProgram& program, const std::vector<Slice>& slices) 
   for (const ScoreProgram::Choice& choice : program.choices) {
     made.forms.push_back(picking.code(choice.numbers, false));
     std::vector<Cell> changed, derived;
-    bool keeps_all = true;
     if (choice.cell != kNoCell) {
       for (const Cell cell : whole.dependents(choice.cell)) {
         if (kept[cell]) changed.push_back(cell);
         if (kept[cell] && !is_own(cell)) derived.push_back(cell);
-        keeps_all = keeps_all && (kept[cell] || !is_own(cell));
       }
     }
     changed.insert(changed.end(), choice.required.begin(), choice.required.end());
     made.changes.push_back(picking.code(changed, true));
     made.accepted.push_back(picking.code(derived, true));
-    made.keeps_all.push_back(keeps_all);
   }
   std::vector<Cell> derived;
   for (const auto* code : {&program.form_code, &program.output_code})

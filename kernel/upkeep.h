@@ -18,7 +18,6 @@ struct Upkeep {
   std::vector<std::vector<Instruction>> changes;  // of the choices: to be run where the choice has changed
   /// The same where its slice has been accepted, which has written the cells of the program's own code.
   std::vector<std::vector<Instruction>> accepted;
-  std::vector<bool> keeps_all;  // of the choices: whether `changes` leaves no cell of the program behind
   /// Makes those of the kept cells that the program's own code does not make.
   std::vector<Instruction> derived;
   std::vector<Instruction> outputs;

@@ -23,10 +23,11 @@ class Formula {
   NodeId divide(NodeId a, NodeId b) { return combined(Op::kDivFloat, a, b, std::divides<>()); }
   NodeId negate(NodeId a) { return graph_.apply(Op::kNegFloat, {a}); }
   /// Of a constant for which the operation means nothing it is minus infinity: of 0 it should be, and others
-  /// lie outside of the support.
+  /// lie outside of the support. Of a selection it is the selected logarithm: what is selected is often the
+  /// same for many values, and so is its logarithm then, while what selects is another one.
   NodeId log(NodeId a) {
-    if (graph_.node(a).is_constant() && graph_.scalar(a).f <= 0) return number(-INFINITY);
-    return graph_.apply(Op::kLog, {a});
+    int left = kMostSelected;
+    return log(a, left);
   }
   NodeId log_gamma(NodeId a) { return graph_.apply(Op::kLgamma, {a}); }
   NodeId as_float(NodeId a) {
@@ -37,6 +38,17 @@ class Formula {
   NodeId complement(NodeId a) { return subtract(number(1), a); }
 
  private:
+  /// Logarithms of the ends of a longer chain of selections would take more time than one of what comes out.
+  static constexpr int kMostSelected = 64;
+
+  NodeId log(NodeId a, int& left) {
+    const Graph::Node& node = graph_.node(a);
+    if (node.is_constant() && graph_.scalar(a).f <= 0) return number(-INFINITY);
+    if (node.op != Op::kIteFloat || --left < 0) return graph_.apply(Op::kLog, {a});
+    const auto [condition, first, second] = node.operands;
+    const NodeId log_of_first = log(first, left);
+    return graph_.phi(condition, log_of_first, log(second, left));
+  }
   /// Of constants it can be infinite, as the logarithm of a density can, but not that of a float of a
   /// program.
   template <class Combine>

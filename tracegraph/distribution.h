@@ -69,6 +69,10 @@ struct Distribution {
   }
   /// The value with that number, from 0. Only for finite families.
   std::int64_t value(std::uint64_t number) const { return lo + static_cast<std::int64_t>(number) * step; }
+  /// The number of one of the values, from 0. Only for finite families.
+  std::uint64_t number(std::int64_t value) const {
+    return static_cast<std::uint64_t>(step == 1 ? value - lo : (value - lo) / step);
+  }
   /// Returns the interval from the least to the largest value. Not for floats.
   Interval interval() const { return {lo, hi - (hi - lo) % step}; }
   /// Returns true if the int, or the bool as 0 or 1, is one of the values. Not for floats.

@@ -9,15 +9,14 @@
 // The second prints how many Metropolis steps compiled slices, or interpreted ones, make in a second, as the
 // programs by hand of bench/sampling/twins/ make them: of a choice that is picked, from its distribution or
 // close by. Steps that would leave the path are refused.
-#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "bench/programs.h"
+#include "engines/sample/acceptance.h"
 #include "engines/sample/shred/traced_structure.h"
 
 namespace {
@@ -30,14 +29,21 @@ constexpr std::size_t kProposals = 1000;
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// How often `step` can be called in a second, with one number after the other.
-double rate(double time, const std::function<void(std::size_t)>& step) {
-  std::size_t steps = 0;
+/// How often `step` can be called in a second, with one number after the other. The clock, to look at which
+/// takes as long as many steps, is looked at about every millisecond.
+template <class Step>
+double rate(double time, Step step) {
+  constexpr double kBetweenLooks = 1e-3;
+  std::size_t steps = 0, next = 1;
   const double start = seconds();
+  double now = start;
   do {
-    for (int i = 0; i < 10; ++i) step(steps++ % kProposals);
-  } while (seconds() - start < time);
-  return static_cast<double>(steps) / (seconds() - start);
+    const double before = now;
+    for (std::size_t i = 0; i < next; ++i) step(steps++ % kProposals);
+    now = seconds();
+    if (now - before < kBetweenLooks) next *= 2;
+  } while (now - start < time);
+  return static_cast<double>(steps) / (now - start);
 }
 
 struct Prepared {
@@ -129,13 +135,14 @@ double metropolis_rate(const std::string& model, double time, std::uint64_t seed
   const auto step = [&](std::size_t) {
     const ChoiceNumber choice = stream.below(kernel.program().choices.size());
     if (kernel.program().choices[choice].cell == kNoCell) return;
-    const Distribution distribution = kernel.distribution(choice);
+    const Distribution distribution = kernel.domain(choice);
     const TypedScalar present(distribution.type(), kernel.value(choice));
     const Proposal proposal =
         proposer.propose(kernel.program().choices[choice].address, distribution, present);
+    const double uniform = stream.uniform();
     const bool possible = distribution.contains(proposal.value) &&
                           kernel.propose(choice, proposal.value.scalar()) == Kernel::Outcome::kScored;
-    if (possible && std::log(stream.uniform()) < kernel.difference() + proposal.log_ratio) kernel.accept();
+    if (possible && accepts(kernel.difference() + proposal.log_ratio, uniform)) kernel.accept();
   };
   rate(time / 4, step);  // until all slices are compiled
   return rate(time, step);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/sample/acceptance.h"
+
 namespace solitaire {
 
 LightweightChain::LightweightChain(const Program& program, const ParamValues& params, const Limits& limits,
@@ -22,7 +24,8 @@ void LightweightChain::sweep() {
 }
 
 void LightweightChain::restart() {
-  const bool accepted = std::log(stream_.uniform()) < rerun_.restart(proposed_);
+  const double log_ratio = rerun_.restart(proposed_);
+  const bool accepted = accepts(log_ratio, stream_.uniform());
   moves_.add(Move::kRestart, accepted);
   restarts_.told(accepted);
   if (accepted) std::swap(state_, proposed_);
@@ -38,7 +41,7 @@ void LightweightChain::step() {
   const double log_ratio = rerun_.propose(picked, proposal, proposed_);
   if (warming_up_ && proposal.move == Move::kWalk)
     proposer_.learn(address, std::exp(std::min(log_ratio, 0.0)));
-  const bool accepted = std::log(stream_.uniform()) < log_ratio;
+  const bool accepted = accepts(log_ratio, stream_.uniform());
   moves_.add(proposal.move, accepted);
   if (!accepted) return;
   std::swap(state_, proposed_);

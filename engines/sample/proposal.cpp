@@ -19,9 +19,9 @@ constexpr double kWantedAcceptance = 0.44;
 Proposal Proposer::propose(AddressId address, const Distribution& distribution, TypedScalar value) {
   const bool has_near =
       !distribution.is_finite() || (distribution.family == Family::kRange && distribution.size() > 4);
-  if (stream_.below(2) == 0 || !has_near) return anywhere(distribution, value);
+  if (!has_near || stream_.below(2) == 0) return anywhere(distribution, value);
   if (distribution.type() != Type::kFloat) return neighbour(distribution, value);
-  return walk(std::exp(scales_[address].log_factor), distribution, value);
+  return walk(scale(address).factor, distribution, value);
 }
 
 Proposal Proposer::anywhere(const Distribution& distribution, TypedScalar value) {
@@ -35,8 +35,8 @@ Proposal Proposer::from_prior(const Distribution& distribution, TypedScalar valu
 }
 
 Proposal Proposer::other(const Distribution& distribution, TypedScalar value) {
-  const auto present = static_cast<std::uint64_t>((value.as_int() - distribution.lo) / distribution.step);
-  std::uint64_t number = stream_.below(distribution.size() - 1);
+  const std::uint64_t present = distribution.number(value.as_int()), others = distribution.size() - 1;
+  std::uint64_t number = others == 1 ? 0 : stream_.below(others);
   if (number >= present) ++number;
   return {distribution.typed(distribution.value(number)), 0, Move::kOther};
 }
@@ -60,10 +60,16 @@ Proposal Proposer::walk(double scale, const Distribution& distribution, TypedSca
 }
 
 void Proposer::learn(AddressId address, double acceptance) {
-  Scale& scale = scales_[address];
+  Scale& scale = this->scale(address);
   scale.told += 1;
   scale.log_factor += 2 / std::sqrt(scale.told) * (acceptance - kWantedAcceptance);
   scale.log_factor = std::clamp(scale.log_factor, -40.0, 10.0);
+  scale.factor = std::exp(scale.log_factor);
+}
+
+Proposer::Scale& Proposer::scale(AddressId address) {
+  if (scales_.size() <= address.index) scales_.resize(address.index + 1);
+  return scales_[address.index];
 }
 
 }  // namespace solitaire

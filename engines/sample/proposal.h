@@ -1,5 +1,5 @@
 #pragma once
-#include <unordered_map>
+#include <vector>
 
 #include "base/random.h"
 #include "engines/sample/move.h"
@@ -30,16 +30,18 @@ class Proposer {
 
  private:
   struct Scale {
+    double factor = 1;  // on the usual step
     double log_factor = 0;
     double told = 0;
   };
+  Scale& scale(AddressId address);
   Proposal from_prior(const Distribution& distribution, TypedScalar value);
   Proposal other(const Distribution& distribution, TypedScalar value);
   Proposal neighbour(const Distribution& distribution, TypedScalar value);
   Proposal walk(double scale, const Distribution& distribution, TypedScalar value);
 
   RandomStream& stream_;
-  std::unordered_map<AddressId, Scale> scales_;
+  std::vector<Scale> scales_;  // by the numbers of the addresses
 };
 
 }  // namespace solitaire

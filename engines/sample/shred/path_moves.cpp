@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engines/sample/acceptance.h"
 #include "engines/sample/shred/conditional.h"
 #include "engines/tuning.h"
 
@@ -57,13 +58,14 @@ void PathMoves::set(Kernel& kernel, ChoiceNumber choice, Scalar value) {
 }
 
 void PathMoves::change_anywhere(Kernel& kernel, ChoiceNumber choice) {
-  const Distribution distribution = kernel.distribution(choice);
+  const Distribution distribution = kernel.domain(choice);
   const TypedScalar present(distribution.type(), kernel.value(choice));
   const Proposal proposal = proposer_.anywhere(distribution, present);
+  const double uniform = stream_.uniform();
   const bool possible = distribution.contains(proposal.value) &&
                         kernel.propose(choice, proposal.value.scalar()) == Kernel::Outcome::kScored;
-  const bool accepted =
-      std::log(stream_.uniform()) < (possible ? kernel.difference() + proposal.log_ratio : -HUGE_VAL);
+  const double log_ratio = possible ? kernel.difference() + proposal.log_ratio : -HUGE_VAL;
+  const bool accepted = accepts(log_ratio, uniform);
   moves_.add(proposal.move, accepted);
   if (accepted) kernel.accept();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engines/sample/acceptance.h"
 #include "engines/tuning.h"
 #include "solitaire/value/plain_copy.h"
 
@@ -51,7 +52,7 @@ void ShredChain::step() {
 
 void ShredChain::step_on_trace(ChoiceNumber choice) {
   Kernel& kernel = structure_->kernel;
-  const Distribution distribution = kernel.distribution(choice);
+  const Distribution distribution = kernel.domain(choice);
   const AddressId address = kernel.program().choices[choice].address;
   const Proposal proposal =
       proposer_.propose(address, distribution, TypedScalar(distribution.type(), kernel.value(choice)));
@@ -67,7 +68,7 @@ void ShredChain::step_on_trace(ChoiceNumber choice) {
 bool ShredChain::accepts(const Proposal& proposal, double log_ratio, AddressId address) {
   if (warming_up_ && proposal.move == Move::kWalk)
     proposer_.learn(address, std::exp(std::min(log_ratio, 0.0)));
-  const bool accepted = std::log(stream_.uniform()) < log_ratio;
+  const bool accepted = solitaire::accepts(log_ratio, stream_.uniform());
   moves_.add(proposal.move, accepted);
   return accepted;
 }

@@ -1,0 +1,396 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <xbyak/xbyak.h>
+
+#include "kernel/called_operations.h"
+#include "kernel/registers.h"
+#include "tracegraph/special_functions.h"
+
+namespace solitaire {
+
+using OneFloat = double (*)(double);
+using TwoFloats = double (*)(double, double);
+using TwoInts = std::int64_t (*)(std::int64_t, std::int64_t);
+
+inline OneFloat function_of(Op op) {
+  switch (op) {
+    case Op::kExp:
+      return std::exp;
+    case Op::kLog:
+      return std::log;
+    case Op::kLgamma:
+      return log_gamma;
+    case Op::kSin:
+      return std::sin;
+    default:
+      return std::cos;
+  }
+}
+
+/// Returns true if the operation is none of the processor.
+inline bool is_called(Op op) {
+  switch (op) {
+    case Op::kDiv:
+    case Op::kMod:
+    case Op::kFloor:
+    case Op::kExp:
+    case Op::kLog:
+    case Op::kPow:
+    case Op::kLgamma:
+    case Op::kSin:
+    case Op::kCos:
+    case Op::kAtan2:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Writes code that has the address of the cells in `cells_`, and where it calls functions in r12 whether all
+/// ints could be made.
+class Writer : public Xbyak::CodeGenerator {
+ public:
+  /// So many bytes are enough.
+  static std::size_t most_bytes(std::span<const Instruction> code) { return kMostOfOne * (code.size() + 1); }
+
+  Writer(std::span<const Instruction> code, const LastReads& reads, std::uint8_t* room)
+      : CodeGenerator(most_bytes(code), room),
+        calls_(std::any_of(code.begin(), code.end(), [](const auto& step) { return is_called(step.op); })),
+        cells_(calls_ ? rbx : rdi),
+        reads_(reads) {
+    if (calls_) begin_with_calls();
+    for (const Instruction& step : code) {
+      registers_.next_instruction();
+      lasts_ = step.lasts;
+      if (lasts_ || is_read_again(step.result) || step.op == Op::kFloor) write(step);
+      free_unless_read_again(step.result);
+      for (const Cell operand : step.operands) free_unless_read_again(operand);
+      ++place_;
+    }
+    calls_ ? end_with_calls() : mov(eax, 1);
+    ret();
+  }
+
+ private:
+  static constexpr std::size_t kMostOfOne = 256;  // bytes for an instruction, and more than that
+  using Xmm = Xbyak::Xmm;
+  using Register = Registers::Register;
+
+  void begin_with_calls() {
+    push(rbx);
+    push(r12);
+    sub(rsp, 8);  // calls need the stack on a multiple of 16
+    mov(rbx, rdi);
+    mov(r12d, 1);
+  }
+  void end_with_calls() {
+    mov(eax, r12d);
+    add(rsp, 8);
+    pop(r12);
+    pop(rbx);
+  }
+
+  Xbyak::Address at(Cell cell) { return qword[cells_ + sizeof(Scalar) * cell]; }
+  bool is_read_again(Cell cell) const { return reads_.come_after(place_, cell); }
+
+  // ---- floats; xmm0 and xmm1 hold what is being worked on, and the others are the Registers
+
+  Xmm xmm(const Register& held) const { return Xmm(static_cast<int>(2 + registers_.number(held))); }
+  void write_back(Register& held) {
+    if (held.only_here) movsd(at(held.cell), xmm(held));
+    held.only_here = false;
+  }
+  Register& make_room() {
+    Register& oldest = registers_.oldest();
+    if (oldest.cell != kNoCell) write_back(oldest);
+    return oldest;
+  }
+  void free_unless_read_again(Cell cell) {
+    if (is_read_again(cell)) return;
+    if (Register* held = registers_.find(cell)) *held = {};
+  }
+
+  /// Moves a float to a register that nothing else knows of.
+  void copy(const Xmm& to, Cell cell) {
+    if (const Register* held = registers_.find(cell)) {
+      movaps(to, xmm(*held));
+    } else {
+      movsd(to, at(cell));
+    }
+  }
+  Xmm loaded(Cell cell) {
+    if (const Register* held = registers_.find(cell)) return xmm(*held);
+    Register& made = make_room();
+    registers_.hold(made, cell, false);
+    movsd(xmm(made), at(cell));
+    return xmm(made);
+  }
+  using OnFloats = void (CodeGenerator::*)(const Xmm&, const Xbyak::Operand&);
+  /// A float that is read again is worth a register.
+  void apply(OnFloats instruction, const Xmm& to, Cell operand) {
+    if (registers_.find(operand) != nullptr || is_read_again(operand)) {
+      (this->*instruction)(to, loaded(operand));
+    } else {
+      (this->*instruction)(to, at(operand));
+    }
+  }
+  /// The register of a result.
+  Register& result_in(Register& made, Cell result) {
+    registers_.hold(made, result, true);
+    return made;
+  }
+  void finish(Register& made) {
+    if (lasts_) write_back(made);
+  }
+  void keep(const Xmm& value, Cell result) {
+    Register& made = result_in(make_room(), result);
+    movaps(xmm(made), value);
+    finish(made);
+  }
+  bool dies_in_register(Cell cell) { return !is_read_again(cell) && registers_.find(cell) != nullptr; }
+
+  /// An operand that is not read again gives its register to the result.
+  void binary(OnFloats instruction, Cell result, Cell a, Cell b) {
+    registers_.find(b);  // so that it stays
+    if (dies_in_register(a)) {
+      Register& made = *registers_.find(a);
+      const Xmm to = xmm(made);
+      if (a == b) {
+        (this->*instruction)(to, to);
+      } else {
+        apply(instruction, to, b);
+      }
+      return finish(result_in(made, result));
+    }
+    if (is_read_again(a)) loaded(a);
+    Register& made = result_in(make_room(), result);
+    copy(xmm(made), a);
+    apply(instruction, xmm(made), b);
+    finish(made);
+  }
+  void commutative(OnFloats instruction, Cell result, Cell a, Cell b) {
+    const bool other_way = dies_in_register(b) && !dies_in_register(a);
+    other_way ? binary(instruction, result, b, a) : binary(instruction, result, a, b);
+  }
+  void negate(Cell result, Cell a) {
+    mov(rax, std::bit_cast<std::uint64_t>(-0.0));
+    movq(xmm0, rax);
+    xorps(xmm0, loaded(a));
+    keep(xmm0, result);
+  }
+  void call_function(std::uint64_t address) {
+    for (Register& held : registers_.all())
+      if (held.cell != kNoCell && is_read_again(held.cell)) write_back(held);
+    mov(rax, address);
+    call(rax);
+    registers_.forget();
+  }
+  void call_of_one(OneFloat function, Cell result, Cell a) {
+    copy(xmm0, a);
+    call_function(std::bit_cast<std::uint64_t>(function));
+    keep(xmm0, result);
+  }
+  void call_of_two(TwoFloats function, Cell result, Cell a, Cell b) {
+    copy(xmm0, a);
+    copy(xmm1, b);
+    call_function(std::bit_cast<std::uint64_t>(function));
+    keep(xmm0, result);
+  }
+  using OnFlags = void (CodeGenerator::*)(const Xbyak::Operand&);
+  /// Keeps whether a condition holds, of which `set` says which flags it is.
+  void keep_flag(OnFlags set, Cell result) {
+    mov(ecx, 0);  // leaves the flags as they are
+    (this->*set)(cl);
+    mov(at(result), rcx);
+  }
+  /// A comparison with NaN does not hold.
+  void compare_floats(OnFlags set, Cell result, Cell a, Cell b) {
+    apply(&CodeGenerator::ucomisd, loaded(a), b);
+    keep_flag(set, result);
+  }
+  void equal_floats(Cell result, Cell a, Cell b) {
+    apply(&CodeGenerator::ucomisd, loaded(a), b);
+    mov(ecx, 0);
+    setnp(cl);
+    mov(eax, 0);
+    cmovne(ecx, eax);
+    mov(at(result), rcx);
+  }
+  void to_float(Cell result, Cell a) {
+    mov(rax, at(a));
+    xorps(xmm0, xmm0);
+    cvtsi2sd(xmm0, rax);
+    keep(xmm0, result);
+  }
+  void select_float(Cell result, Cell condition, Cell a, Cell b) {
+    for (const Cell operand : {a, b})
+      if (Register* held = registers_.find(operand)) write_back(*held);
+    select(condition, a, b);
+    Register& made = result_in(make_room(), result);
+    movq(xmm(made), rax);
+    finish(made);
+  }
+
+  // ---- ints and bools, which stand in their cells alone
+
+  /// `instruction` works on rax and that operand.
+  template <class Apply>
+  void combine(Cell result, Cell a, Cell b, Apply instruction) {
+    mov(rax, at(a));
+    instruction(at(b));
+    mov(at(result), rax);
+  }
+  void compare_ints(OnFlags set, Cell result, Cell a, Cell b) {
+    mov(rax, at(a));
+    cmp(rax, at(b));
+    keep_flag(set, result);
+  }
+  using Move = void (CodeGenerator::*)(const Xbyak::Reg&, const Xbyak::Operand&);
+  void select_less(Move move, Cell result, Cell a, Cell b) {
+    mov(rax, at(a));
+    mov(rcx, at(b));
+    cmp(rcx, rax);
+    (this->*move)(rax, rcx);
+    mov(at(result), rax);
+  }
+  void absolute(Cell result, Cell a) {
+    mov(rax, at(a));
+    mov(rcx, rax);
+    neg(rcx);
+    cmovns(rax, rcx);
+    mov(at(result), rax);
+  }
+  void invert(Cell result, Cell a) {
+    cmp(at(a), 0);
+    keep_flag(&CodeGenerator::sete, result);
+  }
+  void negate_int(Cell result, Cell a) {
+    mov(rax, at(a));
+    neg(rax);
+    mov(at(result), rax);
+  }
+  void call_of_ints(TwoInts function, Cell result, Cell a, Cell b) {
+    mov(rdi, at(a));
+    mov(rsi, at(b));
+    call_function(std::bit_cast<std::uint64_t>(function));
+    mov(at(result), rax);
+  }
+  /// Leaves what is selected in rax.
+  void select(Cell condition, Cell a, Cell b) {
+    mov(rax, at(a));
+    cmp(at(condition), 0);
+    cmove(rax, at(b));
+  }
+  void select_int(Cell result, Cell condition, Cell a, Cell b) {
+    select(condition, a, b);
+    mov(at(result), rax);
+  }
+  void floor(Cell result, Cell a) {
+    bool (*const function)(double, Scalar*) = floor_into;
+    copy(xmm0, a);
+    lea(rdi, at(result));
+    call_function(std::bit_cast<std::uint64_t>(function));
+    movzx(eax, al);
+    and_(r12d, eax);
+  }
+
+  void write(const Instruction& step) {
+    const Cell r = step.result;
+    const auto [a, b, c] = step.operands;
+    switch (step.op) {
+      case Op::kConstBool:
+      case Op::kConstInt:
+      case Op::kConstFloat:
+      case Op::kChoice:
+      case Op::kChoiceFloat:
+      case Op::kCount_:
+        return;
+      case Op::kNot:
+        return invert(r, a);
+      case Op::kAnd:
+        return combine(r, a, b, [&](const Xbyak::Address& x) { and_(rax, x); });
+      case Op::kOr:
+        return combine(r, a, b, [&](const Xbyak::Address& x) { or_(rax, x); });
+      case Op::kAdd:
+        return combine(r, a, b, [&](const Xbyak::Address& x) { add(rax, x); });
+      case Op::kSub:
+        return combine(r, a, b, [&](const Xbyak::Address& x) { sub(rax, x); });
+      case Op::kMul:
+        return combine(r, a, b, [&](const Xbyak::Address& x) { imul(rax, x); });
+      case Op::kEqBool:
+      case Op::kEqInt:
+        return compare_ints(&CodeGenerator::sete, r, a, b);
+      case Op::kLtInt:
+        return compare_ints(&CodeGenerator::setl, r, a, b);
+      case Op::kLeInt:
+        return compare_ints(&CodeGenerator::setle, r, a, b);
+      case Op::kIteBool:
+      case Op::kIteInt:
+        return select_int(r, a, b, c);
+      case Op::kIteFloat:
+        return select_float(r, a, b, c);
+      case Op::kDiv:
+        return call_of_ints(quotient_of, r, a, b);
+      case Op::kMod:
+        return call_of_ints(rest_of, r, a, b);
+      case Op::kNeg:
+        return negate_int(r, a);
+      case Op::kMin:
+        return select_less(&CodeGenerator::cmovl, r, a, b);
+      case Op::kMax:
+        return select_less(&CodeGenerator::cmovg, r, a, b);
+      case Op::kAbs:
+        return absolute(r, a);
+      case Op::kToFloat:
+        return to_float(r, a);
+      case Op::kFloor:
+        return floor(r, a);
+      case Op::kAddFloat:
+        return commutative(&CodeGenerator::addsd, r, a, b);
+      case Op::kSubFloat:
+        return binary(&CodeGenerator::subsd, r, a, b);
+      case Op::kMulFloat:
+        return commutative(&CodeGenerator::mulsd, r, a, b);
+      case Op::kDivFloat:
+        return binary(&CodeGenerator::divsd, r, a, b);
+      // Of equal numbers and of NaN these instructions give the second, as the machine gives the first.
+      case Op::kMinFloat:
+        return binary(&CodeGenerator::minsd, r, b, a);
+      case Op::kMaxFloat:
+        return binary(&CodeGenerator::maxsd, r, b, a);
+      case Op::kNegFloat:
+        return negate(r, a);
+      case Op::kSqrt:
+        return binary(&CodeGenerator::sqrtsd, r, a, a);
+      case Op::kExp:
+      case Op::kLog:
+      case Op::kLgamma:
+      case Op::kSin:
+      case Op::kCos:
+        return call_of_one(function_of(step.op), r, a);
+      case Op::kPow:
+        return call_of_two(std::pow, r, a, b);
+      case Op::kAtan2:
+        return call_of_two(std::atan2, r, a, b);
+      case Op::kEqFloat:
+        return equal_floats(r, a, b);
+      // The other way round, for the flags of "above" do not hold with NaN.
+      case Op::kLtFloat:
+        return compare_floats(&CodeGenerator::seta, r, b, a);
+      case Op::kLeFloat:
+        return compare_floats(&CodeGenerator::setae, r, b, a);
+    }
+  }
+
+  bool calls_;
+  Xbyak::Reg64 cells_;
+  const LastReads& reads_;
+  Registers registers_;
+  std::size_t place_ = 0;  // of the present instruction
+  bool lasts_ = false;     // whether its result does
+};
+
+}  // namespace solitaire
