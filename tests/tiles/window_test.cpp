@@ -2,6 +2,7 @@
 
 #include "engines/tiles/sample/frontier.h"
 #include "engines/tiles/sample/sweep.h"
+#include "engines/tiles/sample/tile_classes.h"
 #include "engines/tiles/start/start.h"
 #include "tests/tiles/enumeration.h"
 #include "tests/tiles/fixture.h"
@@ -62,6 +63,37 @@ TEST_CASE("boxes of sites are drawn as exactly as bands are") {
   options.boxes = true;
   options.thinning = 12;
   CHECK(chain_chi_squared(streets, streets, options) < 1.3);
+}
+
+TEST_CASE("tiles are the same on sides beside which the same tiles may stand") {
+  const std::shared_ptr<Style> style = style_of(kStreets);
+  TileClasses classes(*style);
+  const Tile* const right = classes.of(side(0, 1));
+  REQUIRE(right != nullptr);
+  const auto house = *style->tileset.find("#"), park = *style->tileset.find("."),
+             road = *style->tileset.find("|");
+  CHECK(right[house] == right[park]);
+  CHECK(right[house] != right[road]);
+  CHECK(classes.count(side(0, 1)) == 4);
+  CHECK(classes.of(side(1, 1)) == nullptr);
+  CHECK(classes.of(side(0, 1) | side(1, 1)) == nullptr);
+}
+
+TEST_CASE("windows are drawn exactly where they forget what later tiles need not know") {
+  const std::shared_ptr<Style> style = style_of(kStreets);
+  add_step_shape(*style, {{1, 1, 1}}, 0.5);
+  std::vector<double>& weights = style->shapes.front().log_weights.front();
+  for (std::size_t patch = 1; patch < weights.size(); ++patch)
+    weights[patch] = 0.3 * static_cast<double>(patch);
+  const Problem problem(style, flat(4, 3));
+  ChainOptions options;
+  options.thinning = 12;
+  for (const bool boxes : {false, true}) {
+    options.boxes = boxes;
+    const double ratio = chain_chi_squared(problem, problem, options);
+    CHECK(ratio > 0.7);
+    CHECK(ratio < 1.3);
+  }
 }
 
 TEST_CASE("a sampler with other weights is found out") {

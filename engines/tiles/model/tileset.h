@@ -15,9 +15,8 @@ namespace solitaire::tiles {
 using Sides = std::uint8_t;
 inline constexpr Sides kAllSides = 0x3f;
 inline constexpr Sides kFlatSides = 0x0f;  // those along x and y
-constexpr Sides side(std::size_t axis, int step) {
-  return static_cast<Sides>(1U << (2 * axis + (step > 0 ? 0 : 1)));
-}
+constexpr std::size_t side_number(std::size_t axis, int step) { return 2 * axis + (step > 0 ? 0 : 1); }
+constexpr Sides side(std::size_t axis, int step) { return static_cast<Sides>(1U << side_number(axis, step)); }
 
 /// A tile of one layer of a map of Tiled.
 struct TiledPart {

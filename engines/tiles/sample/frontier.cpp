@@ -57,12 +57,17 @@ void Frontier::advance(const PlanStep& step, std::uint32_t from, std::size_t fir
   for (const ClosingPair& pair : step.pairs) {
     tiles &= pair.rules->beside(tile_in(before.key, pair.slot), pair.axis, pair.step);
   }
-  const FrontierKey kept = before.key & step.kept;
+  FrontierKey kept = before.key & step.kept;
+  for (const NarrowedSlot& narrowed : step.narrowed) {
+    const Tile tile = tile_in(kept, narrowed.slot);
+    kept ^= FrontierKey{static_cast<Tile>(tile ^ narrowed.classes[tile])} << narrowed.slot;
+  }
   find_weights(step, before.key);
   tiles.for_each([&](Tile tile) {
     const double factor = before.weight * weights_[tile];
     if (!(factor > 0)) return;
-    const std::uint32_t to = state_of(step.needed ? kept | FrontierKey{tile} << step.slot : kept, first);
+    const Tile known = step.classes == nullptr ? tile : step.classes[tile];
+    const std::uint32_t to = state_of(step.needed ? kept | FrontierKey{known} << step.slot : kept, first);
     State& state = states_[to];
     edges_.push_back({from, state.edges, factor, tile});
     state.edges = static_cast<std::uint32_t>(edges_.size() - 1);

@@ -1,6 +1,9 @@
 #include "engines/tiles/sample/sweep.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "engines/tiles/sample/tile_classes.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -74,13 +77,30 @@ std::vector<double> ways_by_height(const PairRules& pairs, std::size_t tiles, st
 int SweepPlan::affordable_height(int most) const {
   int height = most;
   const Style& style = problem_.style();
-  for (const PairRules& pairs : style.pairs) {
-    for (const std::size_t axis : axes_) {
+  for (const std::size_t axis : axes_) {
+    const auto kinds = static_cast<double>(kinds_beside(axis));
+    for (const PairRules& pairs : style.pairs) {
       const std::vector<double> ways = ways_by_height(pairs, style.tileset.size(), axis, most);
-      while (height > 2 && ways[static_cast<std::size_t>(height - 1)] > kMostWays) --height;
+      const auto known_ways = [&] {
+        return std::min(ways[static_cast<std::size_t>(height - 1)], std::pow(kinds, height));
+      };
+      while (height > 2 && known_ways() > kMostWays) --height;
     }
   }
   return height;
+}
+
+/// Returns how many tiles of a column along an axis the next column tells apart: those of which factors know,
+/// or else those beside which different tiles may stand.
+std::size_t SweepPlan::kinds_beside(std::size_t axis) const {
+  const Style& style = problem_.style();
+  const auto is_large = [](const SoftShape& shape) { return shape.patches.shape().volume() > 1; };
+  if (std::ranges::any_of(style.shapes, is_large)) return style.tileset.size();
+  Sides sides = 0;
+  for (const std::size_t other : axes_) {
+    if (other != axis) sides |= side(other, 1);
+  }
+  return TileClasses(style).count(sides);
 }
 
 SweepPlan::SweepPlan(const Problem& problem)

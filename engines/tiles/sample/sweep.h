@@ -23,6 +23,7 @@ class SweepPlan {
 
  private:
   Windows cut(const Point& lengths, std::size_t along, RandomStream& random) const;
+  std::size_t kinds_beside(std::size_t axis) const;
 
   const Problem& problem_;
   int thickest_;                   // of bands, in sites

@@ -4,7 +4,8 @@
 
 namespace solitaire::tiles {
 
-WindowPlan::WindowPlan(const Problem& problem) : problem_(problem), places_(problem.sites(), kOutside) {
+WindowPlan::WindowPlan(const Problem& problem)
+    : problem_(problem), places_(problem.sites(), kOutside), classes_(problem.style()) {
   for (std::size_t shape = 0; shape < problem.style().shapes.size(); ++shape) add_placements(shape);
 }
 
@@ -39,6 +40,8 @@ bool WindowPlan::lay_out(const Grid& map, std::span<const std::uint32_t> sites, 
   used_ = sites.size();
   parts_.clear();
   needed_until_.assign(used_, 0);
+  told_apart_until_.assign(used_, 0);
+  neighbor_chosen_.assign(used_, {});
   slot_of_.resize(used_);
   for (std::uint32_t place = 0; place < used_; ++place) {
     PlanStep& step = steps_[place];
@@ -81,6 +84,7 @@ void WindowPlan::find_pairs(const Grid& map, std::uint32_t place) {
         step.tiles = tiles;
       } else {
         step.pairs.push_back({&rules, axis, -direction, other});  // the place; assign_slots() knows the slot
+        neighbor_chosen_[other][side_number(axis, -direction)] = place;
         need(other, place);
       }
     }
@@ -147,7 +151,10 @@ void WindowPlan::close_factor(const Grid& map, std::uint32_t place, const Placem
     for (std::size_t tile = 0; tile < step.own.size(); ++tile) step.own[tile] *= row[tile];
     return;
   }
-  for (const ClosingFactor::Part& part : parts(factor)) need(part.slot, place);
+  for (const ClosingFactor::Part& part : parts(factor)) {
+    need(part.slot, place);
+    told_apart_until_[part.slot] = std::max(told_apart_until_[part.slot], place);
+  }
   step.factors.push_back(factor);
 }
 
@@ -166,18 +173,42 @@ bool WindowPlan::assign_slots() {
       }
     }
     step.kept = 0;
+    step.narrowed.clear();
     step.needed = needed_until_[place] > place;
     for (std::uint32_t slot = 0; slot < slots; ++slot) {
       if (holder[slot] != kOutside && needed_until_[holder[slot]] <= place) holder[slot] = kOutside;
-      if (holder[slot] != kOutside) step.kept |= ones << (slot * bits);
+      if (holder[slot] == kOutside) continue;
+      step.kept |= ones << (slot * bits);
+      narrow(place, holder[slot]);
     }
     if (!step.needed) continue;
     const auto free = std::ranges::find(holder, kOutside);
     if (free == holder.end()) return false;
     *free = place;
     step.slot = slot_of_[place] = static_cast<unsigned>(free - holder.begin()) * bits;
+    step.classes = classes_after(place, place);
   }
   return true;
+}
+
+/// Notes what less has to be known of an earlier tile once the site at the place has its own.
+void WindowPlan::narrow(std::uint32_t place, std::uint32_t of) {
+  const Tile* const classes = classes_after(place, of);
+  if (classes != nullptr && classes != classes_after(place - 1, of))
+    steps_[place].narrowed.push_back({slot_of_[of], classes});
+}
+
+/// Returns the classes of tiles that steps after the place tell apart, of the site at place `of`; null where
+/// they tell all tiles apart.
+const Tile* WindowPlan::classes_after(std::uint32_t place, std::uint32_t of) {
+  if (told_apart_until_[of] > place) return nullptr;
+  Sides sides = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const int step : {1, -1}) {
+      if (neighbor_chosen_[of][side_number(axis, step)] > place) sides |= side(axis, step);
+    }
+  }
+  return classes_.of(sides);
 }
 
 }  // namespace solitaire::tiles

@@ -1,10 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "engines/tiles/model/problem.h"
 #include "engines/tiles/sample/factor_rows.h"
+#include "engines/tiles/sample/tile_classes.h"
 #include "engines/tiles/sample/weights.h"
 
 namespace solitaire::tiles {
@@ -32,6 +34,12 @@ struct ClosingPair {
   unsigned slot;
 };
 
+/// A slot whose tiles are told apart by their class alone from some step on.
+struct NarrowedSlot {
+  unsigned slot;
+  const Tile* classes;
+};
+
 /// What happens when a site of a window gets its tile.
 struct PlanStep {
   std::uint32_t site;
@@ -39,9 +47,11 @@ struct PlanStep {
   std::vector<double> own;  // by tile: the product of factors that depend on no other site of the window
   std::vector<ClosingPair> pairs;
   std::vector<ClosingFactor> factors;
-  FrontierKey kept = 0;  // the bits of the key that are needed afterwards
-  bool needed = false;   // the site's own tile is
-  unsigned slot = 0;     // then this is its place in the key
+  FrontierKey kept = 0;                // the bits of the key that are needed afterwards
+  bool needed = false;                 // the site's own tile is
+  unsigned slot = 0;                   // then this is its place in the key,
+  const Tile* classes = nullptr;       // and what stands there for each tile; null: the tile itself
+  std::vector<NarrowedSlot> narrowed;  // of earlier sites, after this step
 };
 
 /// How a window is redrawn: its sites in order, and the factors that close at each.
@@ -80,6 +90,8 @@ class WindowPlan {
   void close_factor(const Grid& map, std::uint32_t place, const Placement& placement, Weights& weights);
   void need(std::uint32_t place, std::uint32_t until);
   bool assign_slots();
+  void narrow(std::uint32_t place, std::uint32_t of);
+  const Tile* classes_after(std::uint32_t place, std::uint32_t of);
   std::uint32_t place_of(std::size_t site) const {
     const std::uint32_t place = places_[site];
     return place < used_ && steps_[place].site == site ? place : kOutside;
@@ -94,6 +106,9 @@ class WindowPlan {
   std::vector<ClosingFactor::Part> parts_;   // of all factors
   std::vector<std::uint32_t> needed_until_;  // by place: the last step that needs its tile
   std::vector<unsigned> slot_of_;            // by place
+  TileClasses classes_;
+  std::vector<std::uint32_t> told_apart_until_;  // by place: the last step with a factor of it,
+  std::vector<std::array<std::uint32_t, 2 * kAxes>> neighbor_chosen_;  // and with the neighbour on each side
 };
 
 }  // namespace solitaire::tiles

@@ -15,7 +15,8 @@ namespace {
 constexpr int kBoxLength = 8, kBoxHeight = 6;      // of windows where global rules are looked at
 constexpr int kSmallLength = 3, kSmallHeight = 2;  // of further ones, while rules are broken
 constexpr std::uint64_t kSmallWindows = std::uint64_t{1} << 40U;  // their numbers begin here
-constexpr double kPull = 1.5;                // how much a window that mends a global rule is favoured
+constexpr double kPull = 1.5;        // how much a window that mends a global rule is favoured,
+constexpr double kPullGrowth = 0.1;  // and by which share of that more with each sweep after the annealing
 constexpr std::uint64_t kMostMending = 400;  // sweeps that are added until the rules hold
 
 /// Makes one map.
@@ -107,7 +108,14 @@ class WindowSampling {
   bool accept(std::uint64_t violation, RandomStream& random) const {
     if (violation <= violation_) return true;
     if (violation_ == 0) return false;
-    return uniform(random) < std::exp(-kPull * static_cast<double>(violation - violation_));
+    return uniform(random) < std::exp(-pull() * static_cast<double>(violation - violation_));
+  }
+
+  /// The larger a map is, the more faults come while others go. They have to become rarer for all to be gone
+  /// at some time.
+  double pull() const {
+    const std::uint64_t late = sample_->sweeps - std::min(sample_->sweeps, options_.anneal);
+    return kPull * (1 + kPullGrowth * static_cast<double>(late));
   }
 
   const Problem& problem_;
