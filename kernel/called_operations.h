@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "base/floor_division.h"
+#include "tracegraph/op.h"
 #include "tracegraph/scalar.h"
+#include "tracegraph/special_functions.h"
 
 // What both machines of the kernel call for operations that are no instruction of a processor.
 
@@ -20,6 +22,42 @@ inline bool floor_into(double value, Scalar* result) {
   const bool exact = std::abs(floor) <= kLimit;
   result->i = exact ? static_cast<std::int64_t>(floor) : 0;
   return exact;
+}
+
+/// Of an operation on one float that is called.
+using FloatFunction = double (*)(double);
+inline FloatFunction function_of(Op op) {
+  switch (op) {
+    case Op::kExp:
+      return std::exp;
+    case Op::kLog:
+      return std::log;
+    case Op::kLgamma:
+      return log_gamma;
+    case Op::kSin:
+      return std::sin;
+    default:
+      return std::cos;
+  }
+}
+
+/// Returns true if the operation is none of the processor.
+inline bool is_called(Op op) {
+  switch (op) {
+    case Op::kDiv:
+    case Op::kMod:
+    case Op::kFloor:
+    case Op::kExp:
+    case Op::kLog:
+    case Op::kPow:
+    case Op::kLgamma:
+    case Op::kSin:
+    case Op::kCos:
+    case Op::kAtan2:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace solitaire

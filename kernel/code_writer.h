@@ -3,11 +3,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <xbyak/xbyak.h>
 
 #include "kernel/called_operations.h"
+#include "kernel/places.h"
 #include "kernel/registers.h"
-#include "tracegraph/special_functions.h"
 
 namespace solitaire {
 
@@ -15,57 +17,26 @@ using OneFloat = double (*)(double);
 using TwoFloats = double (*)(double, double);
 using TwoInts = std::int64_t (*)(std::int64_t, std::int64_t);
 
-inline OneFloat function_of(Op op) {
-  switch (op) {
-    case Op::kExp:
-      return std::exp;
-    case Op::kLog:
-      return std::log;
-    case Op::kLgamma:
-      return log_gamma;
-    case Op::kSin:
-      return std::sin;
-    default:
-      return std::cos;
-  }
-}
-
-/// Returns true if the operation is none of the processor.
-inline bool is_called(Op op) {
-  switch (op) {
-    case Op::kDiv:
-    case Op::kMod:
-    case Op::kFloor:
-    case Op::kExp:
-    case Op::kLog:
-    case Op::kPow:
-    case Op::kLgamma:
-    case Op::kSin:
-    case Op::kCos:
-    case Op::kAtan2:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// Writes code that has the address of the cells in `cells_`, and where it calls functions in r12 whether all
-/// ints could be made.
-class Writer : public Xbyak::CodeGenerator {
+/// Writes code that has the address of the cells in `cells_`, that of the table in `table_`, and where it
+/// calls functions in r12 whether all ints could be made.
+class CodeWriter : public Xbyak::CodeGenerator {
  public:
   /// So many bytes are enough.
   static std::size_t most_bytes(std::span<const Instruction> code) { return kMostOfOne * (code.size() + 1); }
 
-  Writer(std::span<const Instruction> code, const LastReads& reads, std::uint8_t* room)
+  CodeWriter(std::span<const Instruction> code, Cell table_end, Places& last_reads, std::uint8_t* room)
       : CodeGenerator(most_bytes(code), room),
         calls_(std::any_of(code.begin(), code.end(), [](const auto& step) { return is_called(step.op); })),
         cells_(calls_ ? rbx : rdi),
-        reads_(reads) {
+        table_(calls_ ? r13 : rsi),
+        table_end_(table_end),
+        last_reads_(last_reads) {
+    find_last_reads(code);
     if (calls_) begin_with_calls();
     for (const Instruction& step : code) {
       registers_.next_instruction();
       lasts_ = step.lasts;
-      if (lasts_ || is_read_again(step.result) || step.op == Op::kFloor) write(step);
+      write(step);
       free_unless_read_again(step.result);
       for (const Cell operand : step.operands) free_unless_read_again(operand);
       ++place_;
@@ -79,22 +50,37 @@ class Writer : public Xbyak::CodeGenerator {
   using Xmm = Xbyak::Xmm;
   using Register = Registers::Register;
 
+  void find_last_reads(std::span<const Instruction> code) {
+    last_reads_.clear();
+    for (std::size_t i = 0; i < code.size(); ++i)
+      for (std::size_t k = 0; k < operation(code[i].op).arity; ++k) last_reads_.set(code[i].operands[k], i);
+  }
+  /// Calls need the stack on a multiple of 16, which three registers and the way back take.
   void begin_with_calls() {
     push(rbx);
     push(r12);
-    sub(rsp, 8);  // calls need the stack on a multiple of 16
+    push(r13);
     mov(rbx, rdi);
     mov(r12d, 1);
+    mov(r13, rsi);
   }
   void end_with_calls() {
     mov(eax, r12d);
-    add(rsp, 8);
+    pop(r13);
     pop(r12);
     pop(rbx);
   }
 
-  Xbyak::Address at(Cell cell) { return qword[cells_ + sizeof(Scalar) * cell]; }
-  bool is_read_again(Cell cell) const { return reads_.come_after(place_, cell); }
+  /// Where a cell stands. Leaves the processor's flags as they are, and all registers but r8.
+  Xbyak::Address at(Cell cell) {
+    if (cell >= table_end_) return qword[cells_ + sizeof(Scalar) * cell];
+    mov(r8d, dword[table_ + sizeof(Cell) * cell]);
+    return qword[cells_ + r8 * sizeof(Scalar)];
+  }
+  bool is_read_again(Cell cell) const {
+    const std::size_t* const last = last_reads_.find(cell);
+    return last != nullptr && *last > place_;
+  }
 
   // ---- floats; xmm0 and xmm1 hold what is being worked on, and the others are the Registers
 
@@ -386,8 +372,9 @@ class Writer : public Xbyak::CodeGenerator {
   }
 
   bool calls_;
-  Xbyak::Reg64 cells_;
-  const LastReads& reads_;
+  Xbyak::Reg64 cells_, table_;
+  Cell table_end_;  // cells below are places of the table
+  Places& last_reads_;
   Registers registers_;
   std::size_t place_ = 0;  // of the present instruction
   bool lasts_ = false;     // whether its result does

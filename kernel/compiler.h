@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "kernel/score_program.h"
 
@@ -14,16 +15,26 @@ namespace solitaire {
 /// Elsewhere nothing is made, and run() does all of the work.
 class Compiler {
  public:
-  /// Returns what run() returns.
-  using Code = bool (*)(Scalar* cells);
+  /// Code and the cells that it works on.
+  struct Code {
+    using Function = bool (*)(Scalar* cells, const Cell* table);
+    Function function = nullptr;
+    std::vector<Cell> table = {};
+
+    explicit operator bool() const { return function != nullptr; }
+    /// Returns what run() returns.
+    bool operator()(Scalar* cells) const { return function(cells, table.data()); }
+  };
 
   Compiler();
   ~Compiler();
   Compiler(Compiler&&) noexcept;
   Compiler& operator=(Compiler&&) noexcept;
 
-  /// Returns nothing where nothing can be made.
-  Code compile(std::span<const Instruction> code);
+  /// Returns nothing where nothing can be made. Short codes that are alike but for which cells below
+  /// `shared_end` they work on share a function: processors foresee where a call leads if it often leads
+  /// there.
+  Code compile(std::span<const Instruction> code, Cell shared_end = 0);
   /// Returns true if this build makes machine code at all.
   static bool available();
 

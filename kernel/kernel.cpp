@@ -42,6 +42,11 @@ Kernel::Kernel(ScoreProgram program, bool compiles)
     if (cell != kNoCell && program_.types[cell] == Type::kFloat) floats_.push_back(i);
   }
   cells_ = program_.cells;
+  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) {
+    domains_.push_back(program_.choices[i].distribution);
+    domains_.back().weights = {};
+    if (program_.choices[i].fixed_parameters) read_parameters(i, domains_.back());
+  }
   cells_.resize(program_.cells.size() + longest + std::max<std::size_t>(1, floats_.size()));
 }
 
@@ -119,9 +124,9 @@ Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
 
 /// Both machines give the same, so it does not matter when the faster one takes over.
 bool Kernel::run_code(std::span<const Instruction> code, Compiled& compiled) {
-  if (compiled.code != nullptr) return compiled.code(cells_.data());
+  if (compiled.code) return compiled.code(cells_.data());
   if (compiles_ && !code.empty() && ++compiled.runs == kCompiledAfter)
-    compiled.code = compiler_.compile(code);
+    compiled.code = compiler_.compile(code, static_cast<Cell>(program_.cells.size()));
   return run(code, cells_.data());
 }
 
@@ -219,30 +224,29 @@ void Kernel::derive() {
   underived_ = false;
 }
 
-Scalar Kernel::value(ChoiceNumber choice) const {
+void Kernel::read_parameters(ChoiceNumber choice, Distribution& distribution) const {
   const ScoreProgram::Choice& at = program_.choices[choice];
-  return at.cell == kNoCell ? at.only_value : cells_[at.cell];
+  if (!at.distribution.weights.empty()) return;
+  const auto parameter = [&](std::size_t i) { return cells_[at.parameters[i]]; };
+  if (distribution.family == Distribution::Family::kRange ||
+      distribution.family == Distribution::Family::kIndex) {
+    distribution.lo = parameter(0).i;
+    distribution.step = parameter(2).i;
+    distribution.hi = parameter(1).i - (parameter(1).i - distribution.lo) % distribution.step;
+  } else {
+    distribution.a = parameter(0).f;
+    if (at.parameters.size() > 1) distribution.b = parameter(1).f;
+  }
 }
 
-Distribution Kernel::domain(ChoiceNumber choice) const {
-  const ScoreProgram::Choice& at = program_.choices[choice];
-  Distribution made{at.distribution.lo, at.distribution.hi, at.distribution.step, at.distribution.family};
-  const auto parameter = [&](std::size_t i) { return cells_[at.parameters[i]]; };
-  if (!at.distribution.weights.empty()) return made;
-  if (made.family == Distribution::Family::kRange || made.family == Distribution::Family::kIndex) {
-    made.lo = parameter(0).i;
-    made.step = parameter(2).i;
-    made.hi = parameter(1).i;
-    if (made.step != 1) made.hi -= (made.hi - made.lo) % made.step;
-  } else {
-    made.a = parameter(0).f;
-    if (at.parameters.size() > 1) made.b = parameter(1).f;
-  }
-  return made;
+const Distribution& Kernel::domain(ChoiceNumber choice) {
+  if (!program_.choices[choice].fixed_parameters) read_parameters(choice, domains_[choice]);
+  return domains_[choice];
 }
 
 Distribution Kernel::distribution(ChoiceNumber choice) const {
-  Distribution made = domain(choice);
+  Distribution made = domains_[choice];
+  read_parameters(choice, made);
   const ScoreProgram::Choice& at = program_.choices[choice];
   if (at.distribution.weights.empty()) return made;
   std::vector<double> weights;

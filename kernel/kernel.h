@@ -85,21 +85,26 @@ class Kernel {
   /// The logarithm of the present density; needs refresh(). Differences are added up, so it is computed anew
   /// now and then.
   double log_score() const { return log_score_; }
-  Scalar value(ChoiceNumber choice) const;
+  Scalar value(ChoiceNumber choice) const {
+    const ScoreProgram::Choice& at = program_.choices[choice];
+    return at.cell == kNoCell ? at.only_value : cells_[at.cell];
+  }
   /// The choice's distribution with the present values of its parameters.
   Distribution distribution(ChoiceNumber choice) const;
-  /// The same without weights, which is all that its values follow from, and takes less time.
-  Distribution domain(ChoiceNumber choice) const;
+  /// The same without weights, which is all that its values follow from, and takes less time. It stands until
+  /// this is called another time.
+  const Distribution& domain(ChoiceNumber choice);
   /// The values of the program's outputs under the present choices.
   std::vector<double> outputs();
 
  private:
   /// Code that a machine runs, once it is worth being compiled.
   struct Compiled {
-    Compiler::Code code = nullptr;
+    Compiler::Code code;
     std::uint32_t runs = 0;
   };
 
+  void read_parameters(ChoiceNumber choice, Distribution& distribution) const;
   bool reach(std::size_t stage);
   Outcome score_all();
   Outcome score_slice(std::size_t slice);
@@ -122,7 +127,8 @@ class Kernel {
   std::vector<Compiled> compiled_stages_, compiled_slices_;
   std::vector<Compiled> compiled_forms_, compiled_changes_, compiled_accepted_;
   Compiled compiled_all_, compiled_derived_, compiled_outputs_;
-  std::vector<Scalar> cells_;  // the program's, and behind them room for the longest slice
+  std::vector<Distribution> domains_;  // of the choices, as they were asked for last; those that are fixed
+  std::vector<Scalar> cells_;          // the program's, and behind them room for the longest slice
 
   std::vector<double> numbers_;  // that were asked for last
   bool stale_ = false;           // whether set() has left something behind

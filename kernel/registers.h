@@ -4,38 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "kernel/score_program.h"
 
 namespace solitaire {
-
-/// Which instructions of some code are the last to read a cell.
-class LastReads {
- public:
-  void look_at(std::span<const Instruction> code) {
-    ++code_;
-    for (std::size_t i = 0; i < code.size(); ++i)
-      for (std::size_t k = 0; k < operation(code[i].op).arity; ++k) note(code[i].operands[k], i);
-  }
-  /// Returns true if an instruction behind that place reads the cell.
-  bool come_after(std::size_t place, Cell cell) const {
-    return cell < last_.size() && last_[cell].code == code_ && last_[cell].place > place;
-  }
-
- private:
-  struct Read {
-    std::size_t code = 0;  // the number of the code that reads it; another one knows nothing of the cell
-    std::size_t place = 0;
-  };
-  void note(Cell cell, std::size_t place) {
-    if (cell >= last_.size()) last_.resize(2 * std::size_t{cell} + 1);
-    last_[cell] = {code_, place};
-  }
-
-  std::vector<Read> last_;  // by the cells
-  std::size_t code_ = 0;
-};
 
 /// Which cells, of floats, stand in registers while code runs: those that were used last. A float may stand
 /// in a register only, and has to be written to its cell where it gives way and is still needed.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "tracegraph/simplex.h"
 
@@ -17,6 +18,9 @@ class Formula {
   explicit Formula(Graph& graph) : graph_(graph) {}
 
   NodeId number(double value) { return graph_.constant(value); }
+  std::optional<double> constant(NodeId a) const {
+    return graph_.node(a).is_constant() ? std::optional(graph_.scalar(a).f) : std::nullopt;
+  }
   NodeId add(NodeId a, NodeId b) { return combined(Op::kAddFloat, a, b, std::plus<>()); }
   NodeId subtract(NodeId a, NodeId b) { return combined(Op::kSubFloat, a, b, std::minus<>()); }
   NodeId multiply(NodeId a, NodeId b) { return combined(Op::kMulFloat, a, b, std::multiplies<>()); }
@@ -89,9 +93,16 @@ NodeId of_weights(Graph& graph, std::span<const NodeId> weights, NodeId position
   return f.log(f.divide(weight, sum));
 }
 
+/// A division by a constant for each value is left to the constant, unless that is too small or too large.
 NodeId of_normal(Formula& f, std::span<const NodeId> p, NodeId x) {
-  const NodeId distance = f.divide(f.subtract(x, p[0]), p[1]);
-  const NodeId square = f.multiply(f.number(-0.5), f.multiply(distance, distance));
+  NodeId distance = f.subtract(x, p[0]);
+  double factor = -0.5;
+  if (const std::optional<double> sd = f.constant(p[1]); sd && std::isnormal(factor / (*sd * *sd))) {
+    factor /= *sd * *sd;
+  } else {
+    distance = f.divide(distance, p[1]);
+  }
+  const NodeId square = f.multiply(f.number(factor), f.multiply(distance, distance));
   return f.subtract(f.subtract(square, f.log(p[1])), f.number(0.5 * std::log(2 * std::numbers::pi)));
 }
 
@@ -145,8 +156,10 @@ NodeId in_range(Graph& graph, const Distribution& distribution, std::span<const 
   const NodeId zero = graph.constant(std::int64_t{0});
   if (!distribution.weights.empty())
     return int_between(graph, zero, value, graph.constant(static_cast<std::int64_t>(p.size()) - 1));
+  const NodeId between = int_between(graph, p[0], value, p[1]);
+  if (graph.node(p[2]).is_constant() && graph.scalar(p[2]).i == 1) return between;
   const NodeId offset = graph.apply(Op::kMod, {graph.apply(Op::kSub, {value, p[0]}), p[2]});
-  return graph.conjunction(int_between(graph, p[0], value, p[1]), graph.apply(Op::kEqInt, {offset, zero}));
+  return graph.conjunction(between, graph.apply(Op::kEqInt, {offset, zero}));
 }
 
 }  // namespace

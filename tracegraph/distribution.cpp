@@ -28,36 +28,17 @@ Distribution Distribution::weighted(std::vector<double> weights) {
   return made;
 }
 
-Type Distribution::type() const {
-  switch (family) {
-    case Family::kFlip:
-      return Type::kBool;
-    case Family::kRange:
-    case Family::kIndex:
-    case Family::kPoisson:
-    case Family::kGeometric:
-      return Type::kInt;
-    default:
-      return Type::kFloat;
-  }
-}
-
-bool Distribution::contains(TypedScalar value) const {
-  if (value.type() != type()) return false;
-  const double x = value.as_float();
+bool Distribution::contains_float(double x) const {
   switch (family) {
     case Family::kUniform:
       return a <= x && x <= b;
-    case Family::kNormal:
-    case Family::kNormalSharp:
-      return std::isfinite(x);
     case Family::kExponential:
     case Family::kGamma:
       return x > 0 && std::isfinite(x);
     case Family::kBeta:
       return 0 < x && x < 1;
     default:
-      return contains(value.as_int());
+      return std::isfinite(x);
   }
 }
 

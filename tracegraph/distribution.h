@@ -59,7 +59,10 @@ struct Distribution {
   static Distribution of_floats(Family family, double a, double b = 0) { return {0, 0, 1, family, a, b, {}}; }
   static Distribution of_counts(Family family, double a) { return {0, kMostCount, 1, family, a, 0, {}}; }
 
-  Type type() const;
+  Type type() const {
+    if (family == Family::kFlip) return Type::kBool;
+    return is_finite() || family >= Family::kPoisson ? Type::kInt : Type::kFloat;
+  }
   /// Returns true if it has so few values that solvers and enumerations can go through them.
   bool is_finite() const { return family <= Family::kIndex; }
 
@@ -80,7 +83,11 @@ struct Distribution {
     return lo <= value && value <= hi && (step == 1 || (value - lo) % step == 0);
   }
   /// Returns true if the value has the right type and can occur.
-  bool contains(TypedScalar value) const;
+  bool contains(TypedScalar value) const {
+    if (value.type() != type()) return false;
+    return type() == Type::kFloat ? contains_float(value.as_float()) : contains(value.as_int());
+  }
+  bool contains_float(double value) const;
   /// An int of a solver as a value of this type. Only for finite families.
   TypedScalar typed(std::int64_t value) const { return {type(), Scalar::of(value)}; }
 

@@ -5,10 +5,14 @@
 //
 //   sampling_figures [SECONDS]
 //   sampling_figures SECONDS MODEL SEED [interpreted]
+//   sampling_figures costs MODEL
 //
 // The second prints how many Metropolis steps compiled slices, or interpreted ones, make in a second, as the
 // programs by hand of bench/sampling/twins/ make them: of a choice that is picked, from its distribution or
-// close by. Steps that would leave the path are refused.
+// close by. Steps that would leave the path are refused. The third prints what it costs to begin: how long it
+// takes to trace and slice, in runs of the program, and to compile, in microseconds for each operation.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -46,6 +50,11 @@ double rate(double time, Step step) {
   return static_cast<double>(steps) / (now - start);
 }
 
+Program load_model(const std::string& model) {
+  const bool is_example = std::filesystem::exists(kSourceFolder / "examples" / "sampling" / (model + ".sol"));
+  return load_example((is_example ? "sampling/" : "../bench/sampling/layouts/") + model + ".sol");
+}
+
 struct Prepared {
   ChoiceNumber choice;
   Proposal proposal;
@@ -72,7 +81,7 @@ double mean_slice(const Kernel& kernel, const std::vector<Prepared>& made) {
 }
 
 void measure(const std::string& model, double time) {
-  const Program program = load_example("sampling/" + model + ".sol");
+  const Program program = load_model(model);
   const ParamValues params;
   RandomStream stream(1, Purpose::kSample, 1);
   Rerun rerun(program, params, {}, stream);
@@ -106,9 +115,11 @@ void measure(const std::string& model, double time) {
   const double by_machine = by_slice(interpreted);
   by_slice(structure.kernel);  // until all slices are compiled
   const double by_code = by_slice(structure.kernel);
+  const auto shared_end = static_cast<Cell>(interpreted.program().cells.size());
   Compiler compiler;
   const double before_code = seconds();
-  for (ChoiceNumber i = 0; i < state.choices.size(); ++i) compiler.compile(interpreted.slice(i).code);
+  for (ChoiceNumber i = 0; i < state.choices.size(); ++i)
+    compiler.compile(interpreted.slice(i).code, shared_end);
   const double compiled = seconds() - before_code;
   const double statements = static_cast<double>(interpreted.program().code.size());
   const double slice = mean_slice(interpreted, made);
@@ -120,7 +131,7 @@ void measure(const std::string& model, double time) {
 
 /// How many steps a Metropolis chain on one path makes in a second.
 double metropolis_rate(const std::string& model, double time, std::uint64_t seed, bool compiled) {
-  const Program program = load_example("sampling/" + model + ".sol");
+  const Program program = load_model(model);
   const ParamValues params;
   RandomStream stream(seed, Purpose::kSample, 1);
   Rerun rerun(program, params, {}, stream);
@@ -135,7 +146,7 @@ double metropolis_rate(const std::string& model, double time, std::uint64_t seed
   const auto step = [&](std::size_t) {
     const ChoiceNumber choice = stream.below(kernel.program().choices.size());
     if (kernel.program().choices[choice].cell == kNoCell) return;
-    const Distribution distribution = kernel.domain(choice);
+    const Distribution& distribution = kernel.domain(choice);
     const TypedScalar present(distribution.type(), kernel.value(choice));
     const Proposal proposal =
         proposer.propose(kernel.program().choices[choice].address, distribution, present);
@@ -148,9 +159,52 @@ double metropolis_rate(const std::string& model, double time, std::uint64_t seed
   return rate(time, step);
 }
 
+/// The least seconds of some times that `work` is done.
+template <class Work>
+double least_seconds(Work work) {
+  double least = HUGE_VAL;
+  for (int i = 0; i < 5; ++i) {
+    const double before = seconds();
+    work();
+    least = std::min(least, seconds() - before);
+  }
+  return least;
+}
+
+void print_costs(const std::string& model) {
+  const Program program = load_model(model);
+  const ParamValues params;
+  RandomStream stream(1, Purpose::kSample, 1);
+  Rerun rerun(program, params, {}, stream);
+  const SampledState state = rerun.start();
+  rerun.stand_at(state);
+  const auto trace = [&] {
+    return trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
+  };
+  const TracedStructure structure = trace();
+  const Kernel& kernel = structure.kernel;
+  std::size_t operations = 0;
+  for (ChoiceNumber i = 0; i < state.choices.size(); ++i) operations += kernel.slice(i).code.size();
+  const auto shared_end = static_cast<Cell>(kernel.program().cells.size());
+  const double compiled = least_seconds([&] {
+    Compiler compiler;
+    for (ChoiceNumber i = 0; i < state.choices.size(); ++i)
+      compiler.compile(kernel.slice(i).code, shared_end);
+  });
+  const std::vector<Prepared> made = proposals(kernel, state, stream);
+  SampledState proposed;
+  const double runs =
+      rate(0.2, [&](std::size_t i) { rerun.propose(made[i].choice, made[i].proposal, proposed); });
+  std::printf("%.1f %.3f\n", least_seconds(trace) * runs, 1e6 * compiled / static_cast<double>(operations));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 2 && std::string(argv[1]) == "costs") {
+    print_costs(argv[2]);
+    return 0;
+  }
   const double time = argc > 1 ? std::stod(argv[1]) : 0.2;
   if (argc > 2) {
     std::printf("%.0f\n", metropolis_rate(argv[2], time, argc > 3 ? std::stoull(argv[3]) : 1, argc < 5));

@@ -398,14 +398,14 @@ TEST_CASE("forms: values drawn from them have the moments of the exact posterior
 /// Code, and the machine code that was made of it.
 class BothMachines {
  public:
-  explicit BothMachines(std::span<const Instruction> code)
-      : code_(code.begin(), code.end()), compiled_(compiler_.compile(code_)) {
-    CHECK((compiled_ != nullptr) == Compiler::available());
+  explicit BothMachines(std::span<const Instruction> code, Cell shared_end = 0)
+      : code_(code.begin(), code.end()), compiled_(compiler_.compile(code_, shared_end)) {
+    CHECK(bool(compiled_) == Compiler::available());
   }
 
   /// Runs both on copies of the cells and compares all cells but results that do not last.
   void check(std::span<const Scalar> cells) const {
-    if (compiled_ == nullptr) return;
+    if (!compiled_) return;
     std::vector<Scalar> interpreted(cells.begin(), cells.end()), found = interpreted;
     bool same = run(code_, interpreted.data()) == compiled_(found.data());
     for (const Instruction& step : code_)
@@ -455,7 +455,32 @@ TEST_CASE("compiler: random code gives the same bits as the machine that interpr
     BothMachines(code).check(cells);
     for (Instruction& step : code) step.lasts = stream.below(4) == 0;
     BothMachines(code).check(cells);
+    const std::span<const Instruction> shorter(code.data(), 100);
+    for (const Cell shared_end : {Cell{18}, Cell{60}, static_cast<Cell>(cells.size())})
+      BothMachines(shorter, shared_end).check(cells);
   }
+}
+
+TEST_CASE("compiler: codes that are alike but for the cells that they read share a function") {
+  if (!Compiler::available()) return;
+  Compiler compiler;
+  const auto code = [](Cell a, Cell b) {
+    return std::vector{Instruction(Op::kSubFloat, 9, {a, b, 0}), Instruction(Op::kMulFloat, 10, {9, a, 0})};
+  };
+  const Compiler::Code first = compiler.compile(code(2, 5), 9), second = compiler.compile(code(5, 7), 9);
+  const Compiler::Code square = compiler.compile(code(5, 5), 9);
+  const bool alike_share = first.function == second.function, others_do = first.function == square.function;
+  CHECK(alike_share);
+  CHECK(!others_do);
+  std::vector<Scalar> cells(11, Scalar::of(1.0));
+  cells[5] = Scalar::of(3.0);
+  cells[7] = Scalar::of(8.0);
+  second(cells.data());
+  CHECK(cells[10].f == -15);
+  first(cells.data());
+  CHECK(cells[10].f == -2);
+  square(cells.data());
+  CHECK(cells[10].f == 0);
 }
 
 TEST_CASE("machine: every operation gives what it means on constants") {

@@ -13,4 +13,5 @@ int main(int argc, char** argv) {
   twins::measure_topics(measure, seed);
   twins::measure_citations(measure, seed);
   twins::measure_open(measure, seed);
+  twins::measure_layouts(measure, seed);
 }

@@ -65,5 +65,6 @@ void measure_mixtures(const Measurement& measure, std::uint64_t seed);
 void measure_topics(const Measurement& measure, std::uint64_t seed);
 void measure_citations(const Measurement& measure, std::uint64_t seed);
 void measure_open(const Measurement& measure, std::uint64_t seed);
+void measure_layouts(const Measurement& measure, std::uint64_t seed);
 
 }  // namespace twins

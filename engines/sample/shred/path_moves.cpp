@@ -42,7 +42,7 @@ bool PathMoves::change_by_form(Kernel& kernel, ChoiceNumber choice) {
     return value.has_value();
   }
   if (!at.distribution.is_finite()) return false;
-  const Distribution distribution = kernel.domain(choice);
+  const Distribution& distribution = kernel.domain(choice);
   if (distribution.size() > tuning::kMostValuesCompared) return false;
   change(kernel, choice, draw_of_few(kernel, choice, distribution, stream_), Move::kGibbs);
   return true;
@@ -58,7 +58,7 @@ void PathMoves::set(Kernel& kernel, ChoiceNumber choice, Scalar value) {
 }
 
 void PathMoves::change_anywhere(Kernel& kernel, ChoiceNumber choice) {
-  const Distribution distribution = kernel.domain(choice);
+  const Distribution& distribution = kernel.domain(choice);
   const TypedScalar present(distribution.type(), kernel.value(choice));
   const Proposal proposal = proposer_.anywhere(distribution, present);
   const double uniform = stream_.uniform();

@@ -13,7 +13,7 @@ Kernel::Outcome PathRun::follow(Kernel& to, Known known) {
   bool possible = true;
   const auto answer = [&](ChoiceNumber choice) {
     if (const std::optional<Scalar> value = known(choice)) {
-      const Distribution domain = to.domain(choice);
+      const Distribution& domain = to.domain(choice);
       possible = possible && domain.contains(TypedScalar(domain.type(), *value));
       return *value;
     }

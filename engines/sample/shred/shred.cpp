@@ -52,7 +52,7 @@ void ShredChain::step() {
 
 void ShredChain::step_on_trace(ChoiceNumber choice) {
   Kernel& kernel = structure_->kernel;
-  const Distribution distribution = kernel.domain(choice);
+  const Distribution& distribution = kernel.domain(choice);
   const AddressId address = kernel.program().choices[choice].address;
   const Proposal proposal =
       proposer_.propose(address, distribution, TypedScalar(distribution.type(), kernel.value(choice)));
