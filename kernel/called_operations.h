@@ -3,6 +3,7 @@
 
 #include "base/floor_division.h"
 #include "tracegraph/op.h"
+#include "tracegraph/pair_table.h"
 #include "tracegraph/scalar.h"
 #include "tracegraph/special_functions.h"
 
@@ -14,6 +15,10 @@ namespace solitaire {
 /// both are 0.
 inline std::int64_t quotient_of(std::int64_t a, std::int64_t b) { return b == 0 ? 0 : floor_divide(a, b); }
 inline std::int64_t rest_of(std::int64_t a, std::int64_t b) { return b == 0 ? 0 : floor_modulo(a, b); }
+
+inline std::int64_t looked_up(std::int64_t a, std::int64_t b, const PairTable* pairs) {
+  return pairs->allows(a, b) ? 1 : 0;
+}
 
 /// Returns false, and gives 0, where the int would be past 2^53.
 inline bool floor_into(double value, Scalar* result) {
@@ -46,6 +51,7 @@ inline bool is_called(Op op) {
   switch (op) {
     case Op::kDiv:
     case Op::kMod:
+    case Op::kAllowed:
     case Op::kFloor:
     case Op::kExp:
     case Op::kLog:

@@ -264,6 +264,14 @@ class CodeWriter : public Xbyak::CodeGenerator {
     call_function(std::bit_cast<std::uint64_t>(function));
     mov(at(result), rax);
   }
+  void look_up(Cell result, Cell a, Cell b, Cell table) {
+    mov(rdi, at(a));
+    mov(rsi, at(b));
+    mov(rdx, at(table));
+    std::int64_t (*const function)(std::int64_t, std::int64_t, const PairTable*) = looked_up;
+    call_function(std::bit_cast<std::uint64_t>(function));
+    mov(at(result), rax);
+  }
   /// Leaves what is selected in rax.
   void select(Cell condition, Cell a, Cell b) {
     mov(rax, at(a));
@@ -290,6 +298,7 @@ class CodeWriter : public Xbyak::CodeGenerator {
       case Op::kConstBool:
       case Op::kConstInt:
       case Op::kConstFloat:
+      case Op::kConstTable:
       case Op::kChoice:
       case Op::kChoiceFloat:
       case Op::kCount_:
@@ -322,6 +331,8 @@ class CodeWriter : public Xbyak::CodeGenerator {
         return call_of_ints(quotient_of, r, a, b);
       case Op::kMod:
         return call_of_ints(rest_of, r, a, b);
+      case Op::kAllowed:
+        return look_up(r, a, b, c);
       case Op::kNeg:
         return negate_int(r, a);
       case Op::kMin:

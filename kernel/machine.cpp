@@ -36,6 +36,7 @@ bool run(std::span<const Instruction> code, Scalar* cells) {
       SOLITAIRE_MAKES(kEqInt, boolean(a.i == b.i))
       SOLITAIRE_MAKES(kLtInt, boolean(a.i < b.i))
       SOLITAIRE_MAKES(kLeInt, boolean(a.i <= b.i))
+      SOLITAIRE_MAKES(kAllowed, integer(looked_up(a.i, b.i, cells[step.operands[2]].table)))
       SOLITAIRE_MAKES(kEqFloat, boolean(a.f == b.f))
       SOLITAIRE_MAKES(kLtFloat, boolean(a.f < b.f))
       SOLITAIRE_MAKES(kLeFloat, boolean(a.f <= b.f))
@@ -68,7 +69,7 @@ bool run(std::span<const Instruction> code, Scalar* cells) {
       SOLITAIRE_MAKES(kCos, real(std::cos(a.f)))
       SOLITAIRE_MAKES(kAtan2, real(std::atan2(a.f, b.f)))
       case Op::kFloor: made = floor_into(a.f, &r) && made; break;
-      case Op::kConstBool: case Op::kConstInt: case Op::kConstFloat: break;
+      case Op::kConstBool: case Op::kConstInt: case Op::kConstFloat: case Op::kConstTable: break;
       case Op::kChoice: case Op::kChoiceFloat: case Op::kCount_: break;
     }
   }

@@ -47,6 +47,7 @@ constexpr Form kRows[] = {
     {Op::kEqInt, "(= {0} {1})"},
     {Op::kLtInt, "(bvslt {0} {1})"},
     {Op::kLeInt, "(bvsle {0} {1})"},
+    {Op::kAllowed, ""},  // see Script::allowed()
 };
 static_assert(cover_all_operations(kRows), "every operation that bits can express has its SMT-LIB form");
 constexpr std::array<Form, kOpCount> kForms = by_operation(kRows);
@@ -135,6 +136,8 @@ class Script {
 
   std::string application(NodeId id) const {
     const Graph::Node& node = graph_.node(id);
+    if (has_table(node.op))
+      return allowed(node.operands[0], node.operands[1], *graph_.scalar(node.operands[2]).table);
     const Form& form = kForms[static_cast<std::size_t>(node.op)];
     unsigned wide = is_int(id) ? width(id) : 0;
     for (const NodeId operand : node.args()) {
@@ -148,6 +151,26 @@ class Script {
     }
     const std::string term = fmt::format(fmt::runtime(form.text), operands[0], operands[1], operands[2]);
     return is_int(id) ? resized(term, wide, width(id)) : term;
+  }
+
+  /// Returns that a has some value and b one that goes with it.
+  std::string allowed(NodeId a, NodeId b, const PairTable& pairs) const {
+    std::string any = "(or false";
+    for (std::size_t row = 0; row < pairs.rows(); ++row) {
+      std::string other = "(or false";
+      for (std::size_t column = 0; column < pairs.columns(); ++column) {
+        if (pairs.allows(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column)))
+          other += is(b, column);
+      }
+      any += fmt::format(" (and true{} {}))", is(a, row), other);
+    }
+    return any + ")";
+  }
+
+  std::string is(NodeId node, std::size_t value) const {
+    const auto constant = static_cast<std::int64_t>(value);
+    if (!graph_.node(node).interval.contains(constant)) return " false";
+    return fmt::format(" (= {} {})", name(node), number(constant, width(node)));
   }
 
   std::string name(NodeId id) const {

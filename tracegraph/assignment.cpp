@@ -16,7 +16,7 @@ std::optional<Scalar> folded(Op op, std::span<const std::optional<Scalar>> opera
     for (const std::optional<Scalar>& each : operands) {
       if (each && (each->i != 0) == settles) return Scalar::of(settles);
     }
-  } else if (operands.size() == 3 && operands[0]) {
+  } else if (is_ite(op) && operands[0]) {
     defined = operands[operands[0]->i != 0 ? 1 : 2].has_value();
   }
   if (!defined) return std::nullopt;

@@ -69,8 +69,20 @@ NodeId Graph::constant(Type type, Scalar value) {
   return kFalse;
 }
 
+/// There are few tables, and of these the newest are asked for mostly.
+NodeId Graph::table(const PairTable& pairs) {
+  std::size_t number = pair_tables_.size();
+  while (number > 0 && *pair_tables_[number - 1] != pairs) --number;
+  if (number == 0) {
+    pair_tables_.push_back(std::make_shared<const PairTable>(pairs));
+    number = pair_tables_.size();
+  }
+  return intern({Op::kConstTable, false, {}, {0, 0}, number - 1});
+}
+
 Scalar Graph::scalar(NodeId id) const {
   const Node& constant = node(id);
+  if (constant.op == Op::kConstTable) return {.table = pair_tables_[constant.payload].get()};
   if (constant.op == Op::kConstFloat) return Scalar::of(std::bit_cast<double>(constant.payload));
   return Scalar::of(constant.interval.lo);
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <unordered_map>
@@ -11,6 +12,7 @@
 #include "tracegraph/address.h"
 #include "tracegraph/distribution.h"
 #include "tracegraph/op.h"
+#include "tracegraph/pair_table.h"
 
 namespace solitaire {
 
@@ -52,11 +54,11 @@ class Graph {
     bool has_float;  // itself or an operand below it is a float: no bit-vector says it
     std::array<NodeId, 3> operands{};
     Interval interval;          // its lower end is the value of a constant bool or int
-    std::uint64_t payload = 0;  // the bits of a float constant, or the number of a choice
+    std::uint64_t payload = 0;  // the bits of a float constant, or the number of a table or a choice
 
     std::span<const NodeId> args() const { return {operands.data(), operation(op).arity}; }
     Type type() const { return operation(op).result; }
-    bool is_constant() const { return op <= Op::kConstFloat; }
+    bool is_constant() const { return op <= Op::kConstTable; }
   };
 
   Graph();
@@ -65,6 +67,8 @@ class Graph {
   NodeId constant(std::int64_t value);
   NodeId constant(double value);
   NodeId constant(Type type, Scalar value);
+  /// The table of an operation on pairs (has_table). Equal tables are one node.
+  NodeId table(const PairTable& pairs);
   /// The choice as a node: an int for an int or, as 0 or 1, a bool; a float for a float. A choice with one
   /// value alone is a constant.
   NodeId choice(const ChoiceVariable& variable);
@@ -114,6 +118,7 @@ class Graph {
 
   std::vector<Node> nodes_;
   UniqueTable table_;  // finds equal nodes
+  std::vector<std::shared_ptr<const PairTable>> pair_tables_;
   std::vector<ChoiceVariable> variables_;
   std::vector<NodeId> variable_nodes_;
   struct VariableHash {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/floor_division.h"
+#include "tracegraph/pair_table.h"
 #include "tracegraph/special_functions.h"
 
 namespace solitaire {
@@ -102,6 +103,7 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kConstBool, "bool", "", 0, kB, kB, nullptr, nullptr},
     {Op::kConstInt, "int", "", 0, kI, kI, nullptr, nullptr},
     {Op::kConstFloat, "float", "", 0, kF, kF, nullptr, nullptr},
+    {Op::kConstTable, "table", "", 0, kI, kI, nullptr, nullptr},
     {Op::kChoice, "range", "", 0, kI, kI, nullptr, nullptr},
     {Op::kChoiceFloat, "draw", "", 0, kF, kF, nullptr, nullptr},
 
@@ -125,6 +127,7 @@ constexpr std::array<Operation, kOpCount> kTable = {{
     {Op::kEqInt, "eq", "==", 2, kI, kB, [](S a) -> Folded { return Scalar::of(a[0].i == a[1].i); }, nullptr, kCommutative},
     {Op::kLtInt, "lt", "<", 2, kI, kB, [](S a) -> Folded { return Scalar::of(a[0].i < a[1].i); }, nullptr},
     {Op::kLeInt, "le", "<=", 2, kI, kB, [](S a) -> Folded { return Scalar::of(a[0].i <= a[1].i); }, nullptr},
+    {Op::kAllowed, "allowed", "", 3, kI, kB, [](S a) -> Folded { return Scalar::of(a[2].table->allows(a[0].i, a[1].i)); }, nullptr},
 
     {Op::kToFloat, "float", "", 1, kI, kF, [](S a) -> Folded { return Scalar::of(static_cast<double>(a[0].i)); }, nullptr},
     {Op::kFloor, "floor", "", 1, kF, kI, [](S a) { return floor_exactly(a[0].f); },

@@ -13,10 +13,10 @@ namespace solitaire {
 /// solver encodes it, which smt/ says in tables of the same order.
 // clang-format off
 enum class Op : std::uint8_t {
-  kConstBool, kConstInt, kConstFloat, kChoice, kChoiceFloat,
+  kConstBool, kConstInt, kConstFloat, kConstTable, kChoice, kChoiceFloat,
   kNot, kAnd, kOr, kEqBool, kIteBool,
   kAdd, kSub, kMul, kDiv, kMod, kNeg, kMin, kMax, kAbs, kIteInt,
-  kEqInt, kLtInt, kLeInt,
+  kEqInt, kLtInt, kLeInt, kAllowed,
   kToFloat, kFloor, kAddFloat, kSubFloat, kMulFloat, kDivFloat, kNegFloat, kMinFloat, kMaxFloat,
   kSqrt, kExp, kLog, kPow, kLgamma, kSin, kCos, kAtan2, kIteFloat,
   kEqFloat, kLtFloat, kLeFloat,
@@ -58,6 +58,12 @@ inline const Operation& operation(Op op) { return kOperations[static_cast<std::s
 
 /// Returns true if nodes of the operation are choices that were left open.
 constexpr bool is_choice(Op op) { return op == Op::kChoice || op == Op::kChoiceFloat; }
+
+/// Returns true if the first operand of the operation, a bool, selects one of the two others.
+constexpr bool is_ite(Op op) { return op == Op::kIteBool || op == Op::kIteInt || op == Op::kIteFloat; }
+
+/// Returns true if the last operand of the operation is a table of pairs, as Graph::table() makes it.
+constexpr bool has_table(Op op) { return op == Op::kAllowed; }
 
 /// The ite (phi) of that type: ite(condition, then, else).
 Op ite_of(Type type);

@@ -31,6 +31,8 @@ std::vector<NodeId> nodes_of(const Graph& graph, const Trace& trace) {
 
 std::string constant_text(const Graph& graph, NodeId id) {
   const Scalar value = graph.scalar(id);
+  if (graph.node(id).op == Op::kConstTable)
+    return fmt::format("table of {}x{}", value.table->rows(), value.table->columns());
   switch (graph.node(id).type()) {
     case Type::kBool:
       return value.i != 0 ? "true" : "false";
@@ -202,7 +204,7 @@ std::string trace_dot(const Graph& graph, const AddressTable& addresses, const T
     std::size_t i = 0;
     for (const NodeId operand : node.args()) {
       text += fmt::format("  n{} -> n{}", operand.index, id.index);
-      if (node.args().size() == 3) text += fmt::format(" [label={}]", roles[i]);
+      if (is_ite(node.op)) text += fmt::format(" [label={}]", roles[i]);
       text += ";\n";
       ++i;
     }

@@ -14,10 +14,14 @@ enum class Type : std::uint8_t { kBool, kInt, kFloat };
 /// Returns "a bool", "an int" or "a float".
 const char* in_words(Type type);
 
-/// A constant of any type, untagged: `i` for ints and, as 0 or 1, bools; `f` for floats.
+class PairTable;
+
+/// A constant of any type, untagged: `i` for ints and, as 0 or 1, bools; `f` for floats; `table` where an
+/// operation looks two ints up.
 union Scalar {
   std::int64_t i;
   double f;
+  const PairTable* table;
 
   static constexpr Scalar of(std::int64_t value) { return {.i = value}; }
   static constexpr Scalar of(bool value) { return {.i = value ? 1 : 0}; }

@@ -78,13 +78,8 @@ Solution TileStream::sampled() {
 /// Returns all that holds in solutions but what `tile_map` says of neighbours, which windows keep by
 /// themselves.
 std::vector<NodeId> TileStream::conditions_beside_pairs() {
-  Graph& graph = traced_.graph();
-  std::vector<NodeId> pairs;
-  for (const Term& term : traced_.trace().hard_terms) {
-    if (program_.sources[term.span.source].name().ends_with("std/tiles.sol"))
-      pairs.push_back(graph.implication(term.guard, term.node));
-  }
-  pairs = conjuncts(graph, std::move(pairs));
+  const Graph& graph = traced_.graph();
+  const std::vector<NodeId> pairs = conjuncts(graph, traced_.pass().tile_neighbors);
   const std::unordered_set<NodeId> kept(pairs.begin(), pairs.end());
   std::vector<NodeId> conditions = conjuncts(graph, traced_.requirements(true));
   std::erase_if(conditions, [&](NodeId each) { return kept.contains(each); });

@@ -102,6 +102,7 @@ struct BitBlasts {
       {Op::kEqInt, [](B b, N a) { return b.equality(a[0], a[1]); }},
       {Op::kLtInt, [](B b, N a) { return b.comparison(a[0], a[1], false); }},
       {Op::kLeInt, [](B b, N a) { return b.comparison(a[0], a[1], true); }},
+      {Op::kAllowed, [](B b, N a) { return b.allowed(a[0], a[1], *b.graph_.scalar(a[2]).table); }},
   };
   // clang-format on
 };
@@ -212,13 +213,16 @@ void BitBlaster::push_operands(Part part, std::vector<Part>& pending) {
     for (const NodeId choice : choices) push({choice, Form::kOrder});
     return;
   }
-  const bool compares = node.type() == Type::kBool && !node.args().empty() && is_int(node.operands[0]);
+  const bool compares =
+      node.type() == Type::kBool && !node.args().empty() && is_int(node.operands[0]) && !has_table(node.op);
   if (const LinearForm* form = compares ? linear_form(node.operands[0], node.operands[1]) : nullptr) {
     for (const auto& [term, factor] : form->terms) push({term, Form::kOrder});
     return;
   }
   const Form form = form_of_operands(part);
-  for (const NodeId operand : node.args()) push({operand, is_int(operand) ? form : Form::kBits});
+  for (const NodeId operand : node.args()) {
+    if (graph_.node(operand).op != Op::kConstTable) push({operand, is_int(operand) ? form : Form::kBits});
+  }
 }
 
 /// Returns b - a as a sum of ints in order encoding, or null if it is to be compared in another way.
@@ -314,6 +318,28 @@ Literal BitBlaster::table(NodeId condition, std::span<const NodeId> choices) {
   TruthTable table(graph_, condition, choices);
   if (choices.size() == 1) return tabled(circuit_, table, *order(choices[0]));
   return tabled(circuit_, std::move(table), order(choices[0]), order(choices[1]));
+}
+
+Literal BitBlaster::allowed(NodeId a, NodeId b, const PairTable& pairs) {
+  if (comparable_in_order(a, b))
+    return tabled(circuit_, TruthTable(pairs, *order(a), *order(b)), order(a), order(b));
+  Literal any = kFalseLiteral;
+  for (std::size_t row = 0; row < pairs.rows(); ++row) {
+    Literal other = kFalseLiteral;
+    for (std::size_t column = 0; column < pairs.columns(); ++column) {
+      if (pairs.allows(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column)))
+        other = circuit_.disjunction(other, has_value(b, column));
+    }
+    any = circuit_.disjunction(any, circuit_.conjunction(has_value(a, row), other));
+  }
+  return any;
+}
+
+/// Of an int in bits.
+Literal BitBlaster::has_value(NodeId node, std::size_t value) {
+  const auto constant = static_cast<std::int64_t>(value);
+  if (!interval(node).contains(constant)) return kFalseLiteral;
+  return equal(circuit_, number(node).bits, constant_bits(constant, number(node).width()));
 }
 
 Literal BitBlaster::equality(NodeId a, NodeId b) {

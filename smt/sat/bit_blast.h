@@ -77,6 +77,8 @@ class BitBlaster {
   OrderEncodedInt sum_order(const OrderEncodedInt& a, const OrderEncodedInt& b);
 
   Literal table(NodeId condition, std::span<const NodeId> choices);
+  Literal allowed(NodeId a, NodeId b, const PairTable& pairs);
+  Literal has_value(NodeId node, std::size_t value);
   Literal equality(NodeId a, NodeId b);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
   Literal linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form);

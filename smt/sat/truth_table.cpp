@@ -137,6 +137,14 @@ TruthTable::TruthTable(const Graph& graph, NodeId condition, std::span<const Nod
   }
 }
 
+TruthTable::TruthTable(const PairTable& pairs, const OrderEncodedInt& first, const OrderEncodedInt& second)
+    : columns_(second.size()) {
+  holds_.reserve(first.size() * columns_);
+  for (const std::int64_t row : first.values) {
+    for (const std::int64_t column : second.values) holds_.push_back(pairs.allows(row, column));
+  }
+}
+
 Literal tabled(Circuit& circuit, const TruthTable& table, const OrderEncodedInt& choice) {
   Literal any = kFalseLiteral;
   for (const Run run : runs_of(choice.size(), [&](std::size_t i) { return table.holds(i, 0); }))

@@ -15,6 +15,8 @@ namespace solitaire {
 class TruthTable {
  public:
   TruthTable(const Graph& graph, NodeId condition, std::span<const NodeId> choices);
+  /// Looks two ints up in a table of pairs.
+  TruthTable(const PairTable& pairs, const OrderEncodedInt& first, const OrderEncodedInt& second);
 
   /// Returns whether the condition holds if the choices have their values with these numbers, from the lowest
   /// on. A second choice that it does not have is at 0.

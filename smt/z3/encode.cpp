@@ -68,6 +68,7 @@ struct Encodings {
        }},
       {Op::kLtInt, [](E e, unsigned, N a) { return e.less(a[0], a[1], false); }},
       {Op::kLeInt, [](E e, unsigned, N a) { return e.less(a[0], a[1], true); }},
+      {Op::kAllowed, [](E e, unsigned, N a) { return e.allowed(a[0], a[1], *e.graph_.scalar(a[2]).table); }},
   };
 };
 static_assert(cover_all_operations(Encodings::kRows),
@@ -99,7 +100,8 @@ void Encoder::encode(NodeId node) {
   const auto push_needed = [this](NodeId at, std::vector<NodeId>& pending) {
     require_bits(graph_, at);
     for (const NodeId operand : graph_.node(at).args()) {
-      if (!terms_[operand.index]) pending.push_back(operand);
+      const bool is_table = graph_.node(operand).op == Op::kConstTable;
+      if (!is_table && !terms_[operand.index]) pending.push_back(operand);
     }
   };
   in_post_order(
@@ -209,6 +211,26 @@ z3::expr Encoder::floor_divide(NodeId a, NodeId b) const {
   const z3::expr remainder = z3::srem(x, y);
   const z3::expr wrong = remainder != zero && ((remainder < zero) != (y < zero));
   return z3::ite(wrong, quotient - context_.bv_val(1, bits), quotient);
+}
+
+z3::expr Encoder::is(NodeId node, std::size_t value) const {
+  const auto number = static_cast<std::int64_t>(value);
+  if (!interval(node).contains(number)) return context_.bool_val(false);
+  return term(node) == context_.bv_val(number, width(node));
+}
+
+/// Returns that a has some value and b one that goes with it.
+z3::expr Encoder::allowed(NodeId a, NodeId b, const PairTable& pairs) const {
+  z3::expr any = context_.bool_val(false);
+  for (std::size_t row = 0; row < pairs.rows(); ++row) {
+    z3::expr other = context_.bool_val(false);
+    for (std::size_t column = 0; column < pairs.columns(); ++column) {
+      if (pairs.allows(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column)))
+        other = other || is(b, column);
+    }
+    any = any || (is(a, row) && other);
+  }
+  return any;
 }
 
 z3::expr Encoder::floor_modulo(NodeId a, NodeId b) const {

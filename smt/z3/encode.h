@@ -54,6 +54,8 @@ class Encoder {
   z3::expr less(NodeId a, NodeId b, bool or_equal) const;
   z3::expr floor_divide(NodeId a, NodeId b) const;
   z3::expr floor_modulo(NodeId a, NodeId b) const;
+  z3::expr is(NodeId node, std::size_t value) const;
+  z3::expr allowed(NodeId a, NodeId b, const PairTable& pairs) const;
 
   z3::context& context_;
   const Graph& graph_;

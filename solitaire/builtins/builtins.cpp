@@ -470,6 +470,7 @@ std::vector<Builtin> make_table() {
       {"has_front", {"asset"}, 1, false, false, false, has_front},
       {"allowed", {"table", "a", "b"}, 3, false, false, false, allowed},
       {"tile_pairs", {"exemplar"}, 1, false, false, false, tile_pairs},
+      {"tile_neighbors", {"table", "a", "b"}, 3, false, false, false, tile_neighbors},
       {"tile_sites", {"w", "h", "source"}, 3, false, false, false, tile_sites},
   };
   for (Builtin& distribution : distribution_builtins()) table.push_back(std::move(distribution));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <unordered_map>
@@ -34,6 +35,7 @@ class ChosenText {
   }
 
   std::size_t size() const { return guards_.size(); }
+  const std::unordered_map<std::string_view, NodeId>& guards() const { return guards_; }
   /// Returns the condition under which it is that text; kFalse where it never is.
   NodeId guard(const Value& text) const {
     const auto found = guards_.find(text.object<String>()->text);
@@ -82,11 +84,79 @@ NodeId any_of(Graph& graph, const ChosenText& text, Items texts) {
   return found;
 }
 
+/// A choice whose values decide which text there is, and the value for each.
+class DecidingChoice {
+ public:
+  /// Returns nothing if it is not a single choice, with a text of its own for each value.
+  static std::optional<DecidingChoice> of(const Graph& graph, const ChosenText& text) {
+    DecidingChoice found;
+    std::optional<std::string_view> other;  // of the value that is left
+    std::int64_t sum = 0;
+    for (const auto& [each, guard] : text.guards()) {
+      const Graph::Node& node = graph.node(guard);
+      if (node.op != Op::kEqInt || graph.node(node.operands[0]).op != Op::kChoice ||
+          !graph.node(node.operands[1]).is_constant()) {
+        if (other) return std::nullopt;
+        other = each;
+        continue;
+      }
+      if (found.values_.empty()) found.choice_ = node.operands[0];
+      if (found.choice_ != node.operands[0]) return std::nullopt;
+      const std::int64_t value = graph.node(node.operands[1]).interval.lo;
+      found.values_.emplace(each, value);
+      sum += value;
+    }
+    if (found.values_.empty()) return std::nullopt;
+    const Distribution& domain = graph.variable(found.choice_).domain;
+    if (domain.lo != 0 || domain.step != 1 || domain.size() != text.size()) return std::nullopt;
+    if (other) found.values_.emplace(*other, domain.hi * (domain.hi + 1) / 2 - sum);
+    return found;
+  }
+
+  NodeId choice() const { return choice_; }
+  std::size_t size() const { return values_.size(); }
+  /// Returns the value with that text.
+  std::optional<std::size_t> value(const Value& text) const {
+    const auto found = values_.find(text.object<String>()->text);
+    if (found == values_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found->second);
+  }
+
+ private:
+  NodeId choice_;
+  std::unordered_map<std::string_view, std::int64_t> values_;
+};
+
+/// Looks the values of two choices up in a table: one node, whatever the size of the table. Returns nothing
+/// if two rows are about one text.
+std::optional<NodeId> allowed_choices(Evaluator& evaluator, Call call, Items rows, const DecidingChoice& a,
+                                      const DecidingChoice& b) {
+  PairTable pairs(a.size(), b.size());
+  std::vector<bool> met(a.size());
+  for (const Value& each : rows) {
+    const auto [first, others] = row_of(evaluator, call, each);
+    const auto row = a.value(first);
+    if (!row) continue;
+    if (met[*row]) return std::nullopt;
+    met[*row] = true;
+    for (const Value& other : others.as_list()->items) {
+      if (const auto column = b.value(other)) pairs.allow(*row, *column);
+    }
+  }
+  Graph& graph = evaluator.graph();
+  return graph.apply(Op::kAllowed, {a.choice(), b.choice(), graph.table(pairs)});
+}
+
 /// For each text, that one of those goes with it which the table has: the support of a value (Gent 2002), as
 /// a solver likes it best.
 Value allowed_texts(Evaluator& evaluator, Call call, Items rows) {
   Graph& graph = evaluator.graph();
   const ChosenText a(call.arguments[1]), b(call.arguments[2]);
+  const auto decides_a = DecidingChoice::of(graph, a), decides_b = DecidingChoice::of(graph, b);
+  if (decides_a && decides_b) {
+    const auto looked_up = allowed_choices(evaluator, call, rows, *decides_a, *decides_b);
+    if (looked_up) return value_of(graph, *looked_up);
+  }
   NodeId all = kTrue, known = kFalse;
   std::unordered_set<NodeId> met;
   for (const Value& each : rows) {
@@ -240,6 +310,12 @@ Value tile_pairs(Evaluator& evaluator, Call call) {
     return evaluator.with_items(exemplar, "tile_pairs", span,
                                 [&](Items rows) { return ListedExemplar(evaluator, span).pairs(rows); });
   });
+}
+
+Value tile_neighbors(Evaluator& evaluator, Call call) {
+  const Value condition = allowed(evaluator, call);
+  evaluator.effects().tile_neighbors(condition);
+  return condition;
 }
 
 Value tile_sites(Evaluator& evaluator, Call call) {

@@ -47,6 +47,8 @@ class Effects {
   virtual std::optional<double> unit() const = 0;
   /// The last choices, width times height of them, are the sites of a map of tiles, row by row from the top.
   virtual void tile_map(std::int64_t /*width*/, std::int64_t /*height*/, const Value& /*source*/) {}
+  /// What a map of tiles asks of two neighbours, as the table of its set says.
+  virtual void tile_neighbors(const Value& /*condition*/) {}
   virtual void print(std::span<const Value> arguments) = 0;
   /// Only an execution shows what happens here.
   virtual void needs_execution() {}

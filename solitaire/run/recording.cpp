@@ -171,6 +171,10 @@ bool SymbolicEffects::wish(AddressId address, Span span, const Value& cost) {
   return true;
 }
 
+void SymbolicEffects::tile_neighbors(const Value& condition) {
+  pass_.tile_neighbors.push_back(graph_.implication(path_.guard(), node_of(graph_, condition)));
+}
+
 void SymbolicEffects::unit_is_open() {
   pass_.unit_is_open = true;
   needs_execution();

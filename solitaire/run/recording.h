@@ -77,6 +77,7 @@ class SymbolicEffects : public Effects {
   void unit(double metres) override { pass_.unit = metres; }
   void unit_is_open() override;
   std::optional<double> unit() const override;
+  void tile_neighbors(const Value& condition) override;
   void print(std::span<const Value>) override {}
   void needs_execution() override { pass_.complete = false; }
   void compared_unlike(Span span) override { pass_.unlike.insert(span); }

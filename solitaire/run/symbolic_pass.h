@@ -26,6 +26,7 @@ struct SymbolicPass {
   Value value;                                // of the program, where some path came to its end; else Unset
   std::vector<SymbolicPlacement> placements;  // as numbered by Trace::placed
   std::vector<Value> lists;                   // that were chosen from, as numbered by Trace::choices
+  std::vector<NodeId> tile_neighbors;         // what maps of tiles ask of neighbours
   std::set<Span> unlike;          // the places that compare values of different kinds for equality
   std::vector<CallRecord> calls;  // on the way to placements
   double unit = 1;                // metres in one unit of the program

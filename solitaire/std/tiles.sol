@@ -20,8 +20,8 @@ fun tile_map(set, w, h) {
   tile_sites(w, h, set.source);
   for y in 0..h - 1 {
     for x in 0..w - 1 {
-      if x + 1 < w then assert(allowed(set.to_the_right, site[y][x], site[y][x + 1]), "neighbours in a row");
-      if y + 1 < h then assert(allowed(set.below, site[y][x], site[y + 1][x]), "neighbours in a column");
+      if x + 1 < w then assert(tile_neighbors(set.to_the_right, site[y][x], site[y][x + 1]), "neighbours in a row");
+      if y + 1 < h then assert(tile_neighbors(set.below, site[y][x], site[y + 1][x]), "neighbours in a column");
     }
   }
   return site;

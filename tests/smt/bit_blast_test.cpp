@@ -39,7 +39,8 @@ class Thicket {
   void grow() {
     const auto op = static_cast<Op>(random_() % kOpCount);
     const Operation& row = operation(op);
-    if (row.arity == 0 || row.operand == Type::kFloat || row.result == Type::kFloat) return grow();
+    if (row.arity == 0 || has_table(op) || row.operand == Type::kFloat || row.result == Type::kFloat)
+      return grow();
     const bool ite = op == Op::kIteBool || op == Op::kIteInt;
     const NodeId a = ite ? some(Type::kBool) : some(row.operand);
     const NodeId b = some(row.operand), c = some(row.operand);

@@ -510,6 +510,7 @@ BUILTINS = {
         builtin("size_of", "asset unit", size_of, required=1),
         builtin("has_front", "asset", has_front),
         builtin("allowed", "table a b", allowed),
+        builtin("tile_neighbors", "table a b", allowed),
         builtin("tile_pairs", "exemplar", tile_pairs),
         builtin("tile_sites", "w h source", tile_sites),
         builtin("place", "asset at size turn angle color name", place, required=0, extras=True),
