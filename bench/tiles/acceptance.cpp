@@ -218,7 +218,7 @@ void exactness(Report& report) {
       "exact: frequencies of all streets of 4x3 against their probabilities, 40000 draws of a chain",
       "its sampler is biased");
   const std::vector<Cuts> kinds{{"bands"},
-                                {"boxes of 2x2", 2, 2, false, 32},
+                                {"boxes of 2x2", 2, 2, false, 64},
                                 {"boxes of 4x2", 4, 2},
                                 {"connected, boxes of 3x3", 3, 3, true}};
   const auto style = small_streets(1), wrong = small_streets(1.05);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bench/tiles/problems.h"
 #include "bench/tiles/runs.h"
@@ -158,16 +159,22 @@ void growing_facades(Report& report) {
 
 void growing_epsilon(Report& report) {
   report.figure("table I: a larger epsilon comes nearer to the exemplar and takes longer",
-                "epsilon .05 to .6: KL .59 to .30, 63 to 453 s, not monotone");
-  std::vector<double> divergences;
-  for (const double epsilon : {.05, .1, .2, .3, .4, .5}) {
-    const auto style = soft_facade(epsilon);
+                "its rows stand behind ours; its times vary by twice their mean");
+  struct Row {
+    double epsilon, divergence, seconds;  // as the paper has them
+  };
+  const Row rows[] = {{.05, .587, 63}, {.1, .481, 77},   {.2, .449, 472}, {.3, .453, 237},
+                      {.4, .389, 419}, {.5, .358, 1445}, {.6, .301, 453}};
+  std::map<double, double> divergences;
+  for (const Row& row : rows) {
+    const auto style = soft_facade(row.epsilon);
     const Runs runs = run(facade_in_l(style, kSide), options_of(SamplerKind::kBlockSs, 5), 10);
-    divergences.push_back(divergence_of_fours(*style, runs.maps));
-    report.line(fmt::format("epsilon {:.2f}: KL {:.2f}, {:.2f} s a sample", epsilon, divergences.back(),
-                            runs.seconds_each() / 6));
+    divergences[row.epsilon] = divergence_of_fours(*style, runs.maps);
+    report.line(fmt::format("epsilon {:.2f}: KL {:.2f}, {:.3f} s a sample (paper: {:.3f}, {:.0f} s)",
+                            row.epsilon, divergences[row.epsilon], runs.seconds_each() / 6, row.divergence,
+                            row.seconds));
   }
-  report.must("KL falls by .05 at least from .05 to .5", divergences.back() < divergences.front() - .05);
+  report.must("KL falls by .05 at least from .05 to .5", divergences.at(.5) < divergences.at(.05) - .05);
 }
 
 }  // namespace solitaire::tiles::bench

@@ -558,6 +558,45 @@ test('maps of tiles: a grid of sharp pictures, which one comes closer to and com
   });
 });
 
+// A map of 4 x 3 tiles, all pinned: a tree at the lower right, a blue post, and grey ground.
+const kWood = JSON.stringify({
+  tiles: [{ name: 'tree', char: 'T', asset: 'tree' }, { name: 'ground', char: '.', color: '#a0a0a0', height: 0.1 },
+    { name: 'post', char: 'P', color: '#1010e0' }],
+  adjacencies: [{ left: ['tree', 'ground', 'post'], right: ['tree', 'ground', 'post'] },
+    { top: ['tree', 'ground', 'post'], bottom: ['tree', 'ground', 'post'] }],
+  size: [4, 3],
+  pins: [{ at: [0, 0], size: [4, 1], tiles: ['ground'] }, { at: [0, 1], tiles: ['ground'] }, { at: [1, 1], tiles: ['post'] },
+    { at: [2, 1], size: [2, 1], tiles: ['ground'] }, { at: [0, 2], size: [3, 1], tiles: ['ground'] },
+    { at: [3, 2], tiles: ['tree'] }],
+});
+
+test('maps of tiles with models: a map to come closer to, and a scene in which a click names the tile', async () => {
+  const problem = join(folder.path, 'wood.tiles.json'), output = join(folder.path, 'wood');
+  await writeFile(problem, kWood);
+  await ran('tiles', problem, '-n', '1', '-o', output);
+  assert.deepEqual((await readdir(output)).filter((file) => file.endsWith('.glb')), []);  // nobody asked for one
+  await withPage(pathToFileURL(join(output, 'index.html')).href, async (page) => {
+    await openFirst(page);
+    const views = page.getByLabel('View', { exact: true });
+    assert.deepEqual((await views.locator('option').allTextContents()).slice(0, 2), ['3D', 'Map']);
+    assert.equal(await numberOf(page, 'blue'), 1);
+    assert.ok(await numberOf(page, 'green') > 0);
+    await clickOn(page, 'blue');
+    await panelOf(page).getByRole('heading', { name: 'post' }).waitFor();
+    const names = await panelOf(page).getByLabel('Objects').locator('option').allTextContents();
+    assert.equal(names.filter((name) => name.startsWith('tree')).length, 1);
+    assert.equal(names.filter((name) => name.startsWith('ground')).length, 10);
+    await views.selectOption('Map');
+    const shown = () => page.locator('.drawing svg').evaluate((svg) => svg.viewBox.baseVal.width);
+    const whole = await shown();
+    await page.locator('.drawing').press('+');
+    assert.ok(await shown() < whole);
+    await views.selectOption('3D');
+    assert.equal(await numberOf(page, 'blue'), 1);
+    assert.deepEqual(await findings(page), []);
+  });
+});
+
 test('a thousand solutions: the page is quick, and loads a scene only when it is opened', async () => {
   const address = await generated(folder.path, 'many', 'x = range(1, 1000);\nplace("", at: [x, 0], size: [1, 1, 1]);\nreturn x;',
                                   '--all', '--diversity', 'low');
