@@ -36,6 +36,17 @@ class RandomStream {
     return number % bound;
   }
 
+  /// Uniform over 0 .. bound - 1, too, from half a number and mostly without a division (Lemire, "Fast random
+  /// integer generation in an interval", 2019): for what a chain draws at every step.
+  std::uint64_t pick(std::uint32_t bound) {
+    std::uint64_t product = (next() >> 32) * bound;
+    // 2^32 mod bound halves are too many, and a product that ends below that is one of them.
+    while (static_cast<std::uint32_t>(product) < bound &&
+           static_cast<std::uint32_t>(product) < (UINT32_MAX - bound + 1) % bound)
+      product = (next() >> 32) * bound;
+    return product >> 32;
+  }
+
   /// Uniform over the 2^53 - 1 multiples of 2^-53 strictly between 0 and 1.
   double uniform() { return static_cast<double>(1 + below((std::uint64_t{1} << 53) - 1)) * 0x1p-53; }
 

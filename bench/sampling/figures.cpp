@@ -144,7 +144,7 @@ double metropolis_rate(const std::string& model, double time, std::uint64_t seed
   kernel.load(values);
   Proposer proposer(stream);
   const auto step = [&](std::size_t) {
-    const ChoiceNumber choice = stream.below(kernel.program().choices.size());
+    const ChoiceNumber choice = stream.pick(static_cast<std::uint32_t>(kernel.program().choices.size()));
     if (kernel.program().choices[choice].cell == kNoCell) return;
     const Distribution& distribution = kernel.domain(choice);
     const TypedScalar present(distribution.type(), kernel.value(choice));

@@ -36,9 +36,13 @@ Proposal Proposer::from_prior(const Distribution& distribution, TypedScalar valu
 
 Proposal Proposer::other(const Distribution& distribution, TypedScalar value) {
   const std::uint64_t present = distribution.number(value.as_int()), others = distribution.size() - 1;
-  std::uint64_t number = others == 1 ? 0 : stream_.below(others);
+  std::uint64_t number = others == 1 ? 0 : any_of(others);
   if (number >= present) ++number;
   return {distribution.typed(distribution.value(number)), 0, Move::kOther};
+}
+
+std::uint64_t Proposer::any_of(std::uint64_t count) {
+  return count > UINT32_MAX ? stream_.below(count) : stream_.pick(static_cast<std::uint32_t>(count));
 }
 
 /// Goes up or down by 1, 2, 4 or 8 steps; what leads outside is impossible, and so refused later.

@@ -37,6 +37,7 @@ class Proposer {
   Scale& scale(AddressId address);
   Proposal from_prior(const Distribution& distribution, TypedScalar value);
   Proposal other(const Distribution& distribution, TypedScalar value);
+  std::uint64_t any_of(std::uint64_t count);
   Proposal neighbour(const Distribution& distribution, TypedScalar value);
   Proposal walk(double scale, const Distribution& distribution, TypedScalar value);
 

@@ -27,5 +27,21 @@ TEST_CASE("drawing: normal numbers are as often far out as they should be") {
   }
 }
 
+TEST_CASE("drawing: a pick is as often each of the numbers, also where these are no part of all there are") {
+  RandomStream stream(3, Purpose::kSample, 1);
+  constexpr int kDraws = 30'000;
+  constexpr std::uint32_t kMany = 3U << 30;
+  std::array<int, 3> few{}, many{};
+  for (int i = 0; i < kDraws; ++i) {
+    ++few[stream.pick(3)];
+    const std::uint64_t number = stream.pick(kMany);
+    CHECK(number < kMany);
+    ++many[number % 3];
+  }
+  for (const auto& counts : {few, many})
+    for (const int count : counts) CHECK(std::abs(count - kDraws / 3) < 400);
+  CHECK(stream.pick(1) == 0);
+}
+
 }  // namespace
 }  // namespace solitaire

@@ -41,7 +41,7 @@ std::size_t ShredChain::choices() const {
 /// Picks one of all choices, and changes it unless it has had its turn.
 void ShredChain::step() {
   if (choices() == 0 || (structure_ != nullptr && !structure_->branches)) return;
-  const ChoiceNumber choice = stream_.below(choices());
+  const ChoiceNumber choice = stream_.pick(static_cast<std::uint32_t>(choices()));
   if (structure_ == nullptr) {
     const MetChoice& at = state_.choices[choice];
     step_by_rerun(choice, proposer_.propose(at.address, at.domain, at.value));
