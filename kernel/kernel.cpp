@@ -103,7 +103,8 @@ Kernel::Outcome Kernel::score_all() {
     return Outcome::kImpossible;
   log_score_ = program_.constant;
   for (const Cell term : program_.terms) log_score_ += cells_[term].f;
-  return outcome_of(log_score_);
+  const Outcome outcome = outcome_of(log_score_);
+  return log_score_ == HUGE_VAL ? Outcome::kLeavesTrace : outcome;  // a run says where
 }
 
 Kernel::Outcome Kernel::outcome_of(double log_density) {
@@ -115,7 +116,7 @@ Kernel::Outcome Kernel::outcome_of(double log_density) {
 /// What was proposed last stands in the slice's cells still, so to propose it again takes no time.
 Kernel::Outcome Kernel::propose(ChoiceNumber choice, Scalar value) {
   if (proposed_ == choice && proposed_bits_ == bits_of(value)) return outcome_;
-  if (program_.choices[choice].form != Form::kUnknown) refresh();
+  if (stale_ && program_.choices[choice].form != Form::kUnknown) refresh();
   proposed_ = choice;
   proposed_bits_ = bits_of(value);
   cells_[program_.cells.size()] = value;
@@ -154,15 +155,28 @@ Kernel::Outcome Kernel::score_slice(std::size_t number) {
     return Outcome::kLeavesTrace;
   if (!std::all_of(slice.required.begin(), slice.required.end(), is_true)) return Outcome::kImpossible;
   difference_ = slice.difference == kNoCell ? 0 : cells_[slice.difference].f;
-  if (difference_ == HUGE_VAL && number < program_.choices.size())
-    note_infinity(number, cells_[program_.cells.size()]);
+  if (difference_ == HUGE_VAL) note_infinity(number);
   return outcome_of(difference_);
+}
+
+std::vector<Scalar> Kernel::values() const {
+  std::vector<Scalar> values;
+  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) values.push_back(value(i));
+  return values;
+}
+
+/// The slice has the values that were proposed.
+void Kernel::note_infinity(std::size_t slice) {
+  if (slice < program_.choices.size()) return note_infinity(slice, cells_[program_.cells.size()]);
+  if (infinite_) return;
+  infinite_ = values();
+  for (std::size_t i = 0; i < floats_.size(); ++i)
+    (*infinite_)[floats_[i]] = cells_[program_.cells.size() + i];
 }
 
 void Kernel::note_infinity(ChoiceNumber choice, Scalar value) {
   if (infinite_) return;
-  infinite_.emplace();
-  for (ChoiceNumber i = 0; i < program_.choices.size(); ++i) infinite_->push_back(this->value(i));
+  infinite_ = values();
   (*infinite_)[choice] = value;
 }
 

@@ -68,8 +68,8 @@ class Kernel {
   double difference() const { return difference_; }
   /// How often a density was infinite, which counts as impossible: no distribution has such a value.
   std::uint64_t infinities() const { return infinities_; }
-  /// The values of all choices where it was, when only one of them was another, for the first such time since
-  /// this was asked for.
+  /// The values of all choices where it was, when a choice or all floats had another value, for the first
+  /// such time since this was asked for.
   std::optional<std::vector<Scalar>> take_infinite() { return std::exchange(infinite_, std::nullopt); }
   /// Takes over the change that was proposed last, which has to have been scored.
   void accept();
@@ -114,6 +114,8 @@ class Kernel {
   void differentiate();
   void derive();
   bool change(ChoiceNumber choice, Scalar value);
+  std::vector<Scalar> values() const;
+  void note_infinity(std::size_t slice);
   void note_infinity(ChoiceNumber choice, Scalar value);
 
   ScoreProgram program_;

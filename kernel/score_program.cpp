@@ -186,9 +186,10 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
     const TraceChoice& choice = trace.choices[i];
     const bool open = is_choice(graph.node(choice.variable).op);
     const Scalar only = open ? Scalar{} : graph.scalar(choice.variable);
-    program.choices.push_back({open ? cells.of(choice.variable) : kNoCell, choice.address, choice.domain,
-                               cells.of(choice.parameters), only, has_fixed_parameters(graph, choice),
-                               forms[i].form, cells.of(forms[i].numbers), cells.of(forms[i].required)});
+    program.choices.push_back({open ? cells.of(choice.variable) : kNoCell, choice.address,
+                               has_fixed_parameters(graph, choice), forms[i].form, choice.domain,
+                               cells.of(choice.parameters), only, cells.of(forms[i].numbers),
+                               cells.of(forms[i].required)});
   }
   cells.need(outputs);
   cells.write(program.output_code);

@@ -42,11 +42,11 @@ struct ScoreProgram {
   struct Choice {
     Cell cell;  // kNoCell for a choice with one value alone
     AddressId address;
+    bool fixed_parameters;            // they depend on no choice
+    Form form = Form::kUnknown;       // along the choice; unknown also where a branch depends on it
     Distribution distribution;        // with the parameters that it had when it was traced
     std::vector<Cell> parameters;     // as of log_density() (tracegraph/density.h)
     Scalar only_value;                // of a choice without a cell
-    bool fixed_parameters;            // they depend on no choice
-    Form form = Form::kUnknown;       // along the choice; unknown also where a branch depends on it
     std::vector<Cell> numbers = {};   // of the form
     std::vector<Cell> required = {};  // of those that depend on the choice, those that the form leaves open
   };

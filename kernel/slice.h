@@ -19,12 +19,12 @@ struct Slice {
   };
 
   std::vector<Instruction> code;  // makes the changes, and then the difference
+  std::vector<Cell> required;     // proposed cells
+  std::vector<Cell> assumed;      // proposed cells
+  Cell difference = kNoCell;      // of the sum of the terms; nothing where no term changes
   std::vector<Changed> changes;   // the choices, then the results of the code, in this order
   std::vector<Changed> commits;   // of these, what has to be taken over where the change is accepted
   std::vector<Changed> terms;
-  Cell difference = kNoCell;   // of the sum of the terms; nothing where no term changes
-  std::vector<Cell> required;  // proposed cells
-  std::vector<Cell> assumed;   // proposed cells
 };
 
 /// The slices of all choices, in their order; an empty one of a choice without a cell. The last slice is that

@@ -115,7 +115,8 @@ TEST_CASE("gradient: slopes of angles") {
   }
   program.cells.resize(11);
   for (const Cell cell : {8U, 9U})
-    program.choices.push_back({cell, AddressId{cell}, Distribution::normal(0, 1), {0, 1}, {}, true});
+    program.choices.push_back(
+        {cell, AddressId{cell}, true, Form::kUnknown, Distribution::normal(0, 1), {0, 1}, {}});
   program.code.push_back({Op::kAtan2, 10, {8, 9, 0}});
   program.terms = {10};
   Kernel kernel(std::move(program));

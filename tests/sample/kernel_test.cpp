@@ -165,6 +165,24 @@ TEST_CASE("kernel: a change of all floats is scored as by computing all anew") {
   CHECK(scored > 10);
 }
 
+TEST_CASE("kernel: where a change of all floats makes the density infinite, it tells all values") {
+  Traced traced(
+      "a = flip(); x = normal(0, 1); y = normal(0, 1); for i in 1..2: factor(cond(x + y > 7, "
+      "1.5e308, 0.0)); return a;",
+      1);
+  Kernel& kernel = traced.kernel();
+  const std::vector<double> near{1, 1}, far{4, 4};
+  CHECK(kernel.propose_floats(near) == Scored::kScored);
+  CHECK(!kernel.take_infinite());
+  CHECK(kernel.propose_floats(far) == Scored::kImpossible);
+  const auto values = kernel.take_infinite();
+  REQUIRE(values);
+  CHECK((*values)[0].i == kernel.value(0).i);
+  CHECK((*values)[1].f == 4);
+  CHECK((*values)[2].f == 4);
+  CHECK(kernel.load(*values) == Scored::kLeavesTrace);
+}
+
 TEST_CASE("kernel: after many accepted changes every cell is as if computed anew") {
   Traced traced(kTexts[1], 3);
   Kernel& kernel = traced.kernel();

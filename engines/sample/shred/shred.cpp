@@ -27,8 +27,8 @@ void ShredChain::sweep() {
   if (structure_ != nullptr) path_moves_.scan(*structure_, joint_moves_.ready(), warming_up_);
   for (std::size_t i = 0; i < steps_in_sweep_; ++i) step();
   if (structure_ != nullptr) {
-    look_at_infinity();
     joint_moves_.move(structure_->kernel);
+    look_at_infinity();
   }
   if (restarts_.wanted()) restart();
   if (++sweeps_ % tuning::kSweepsBetweenChecks == 0) compare_with_run();
