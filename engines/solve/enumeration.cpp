@@ -2,6 +2,7 @@
 
 #include "engines/solve/conclusions/symmetry.h"
 #include "engines/solve/executions/meeting.h"
+#include "smt/tuning.h"
 
 namespace solitaire {
 
@@ -20,6 +21,19 @@ Enumeration::Enumeration(ExecutionSolver& solver, std::vector<NodeId> conditions
   std::vector<std::size_t> choices;
   for (const auto& [variable, condition] : meeting) choices.push_back(variable);
   enumerator_ = std::make_unique<Enumerator>(graph, conditions, choices);
+}
+
+Enumeration::Outcome Enumeration::next(const StopSignal& stop) {
+  const Outcome outcome =
+      enumerator_->next(stop, may_begin_near() ? tuning::kFewDeadEnds : tuning::kMostDeadEnds);
+  begun_ = begun_ || outcome == Outcome::kFound;
+  return outcome;
+}
+
+void Enumeration::begin_near(Assignment& solution) {
+  begun_ = true;
+  enumerator_->begin_near(
+      [&](std::size_t variable) { return solution.value(graph_.variable_node(variable))->i; });
 }
 
 Assignment Enumeration::assignment() const {

@@ -15,8 +15,12 @@ class Enumeration {
   Enumeration(ExecutionSolver& solver, std::vector<NodeId> conditions, bool one_of_alike);
 
   using Outcome = Enumerator::Outcome;
-  /// Goes to the next solution. Any outcome but kFound is the last.
-  Outcome next(const StopSignal& stop) { return enumerator_->next(stop); }
+  /// Goes to the next solution. Any outcome but kFound is the last, unless there is begin_near().
+  Outcome next(const StopSignal& stop);
+  /// Returns true if no solution was found, and those next to one that another search finds can come first.
+  bool may_begin_near() const { return !begun_; }
+  /// Begins at a solution, of which the assignment has the values.
+  void begin_near(Assignment& solution);
   /// Returns the values of the choices' variables. For use after kFound.
   Assignment assignment() const;
   /// Returns the conditions by which solutions that look like others were left out.
@@ -26,6 +30,7 @@ class Enumeration {
   const Graph& graph_;
   std::vector<NodeId> symmetry_breaking_;
   std::unique_ptr<Enumerator> enumerator_;
+  bool begun_ = false;  // it was at a solution, or is going to one
 };
 
 }  // namespace solitaire

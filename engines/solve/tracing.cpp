@@ -143,16 +143,11 @@ bool TracingEngine::can_enumerate() {
 /// Returns nothing if there is no solution left, or another way has to find it.
 std::optional<Solution> TracingEngine::next_enumerated() {
   if (!can_enumerate()) return std::nullopt;
-  EngineTimes& times = traced_.solver().times();
   if (!enumeration_) {
-    const Stopwatch watch(times.encode);
+    const Stopwatch watch(traced_.solver().times().encode);
     enumeration_ = std::make_unique<Enumeration>(traced_.solver(), conditions(), options_.one_of_alike);
   }
-  const Enumeration::Outcome outcome = [&] {
-    const Stopwatch watch(times.solve);
-    return enumeration_->next(traced_.stop());
-  }();
-  switch (outcome) {
+  switch (enumerate()) {
     case Enumeration::Outcome::kFound:
       break;
     case Enumeration::Outcome::kNone:
@@ -169,6 +164,29 @@ std::optional<Solution> TracingEngine::next_enumerated() {
   Candidate found = candidate(assignment);
   enumerated_.emplace_back(found.values.begin(), found.values.end());
   return std::move(found.solution);
+}
+
+/// Goes to the next solution. Where the first one is hard to find for a search that does not learn, the
+/// solver finds it.
+Enumeration::Outcome TracingEngine::enumerate() {
+  ExecutionSolver& solver = traced_.solver();
+  const auto next = [&] {
+    const Stopwatch watch(solver.times().solve);
+    return enumeration_->next(traced_.stop());
+  };
+  const Enumeration::Outcome outcome = next();
+  if (outcome != Enumeration::Outcome::kTooHard || !enumeration_->may_begin_near()) return outcome;
+  switch (solver.find([&] { return enumeration_->left_out(); })) {
+    case ExecutionSolver::Outcome::kFound:
+      break;
+    case ExecutionSolver::Outcome::kNone:
+      return Enumeration::Outcome::kNone;
+    default:
+      return Enumeration::Outcome::kStopped;
+  }
+  Assignment solution = solver.assignment();
+  enumeration_->begin_near(solution);
+  return next();
 }
 
 void TracingEngine::hear_of_alike() {

@@ -58,6 +58,7 @@ class TracingEngine : public SolutionStream,
   void meet_pass();
   bool can_enumerate();
   std::optional<Solution> next_enumerated();
+  Enumeration::Outcome enumerate();
   void give_up_enumeration();
   std::optional<Solution> next_searched(StopSignal::Clock::time_point start);
   Attempt attempt(const BestFirst::Most& most);

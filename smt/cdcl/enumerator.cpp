@@ -1,8 +1,10 @@
 #include "smt/cdcl/enumerator.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "smt/cdcl/choice_search.h"
+#include "smt/cdcl/conflict_analysis.h"
 #include "smt/sat/bit_blast.h"
 #include "smt/tuning.h"
 
@@ -10,21 +12,24 @@ namespace solitaire {
 class Enumerator::Search {
  public:
   Search(const Graph& graph, std::span<const NodeId> conditions, std::span<const std::size_t> choices)
-      : search_(propagator_), cnf_(circuit_, propagator_), blaster_(graph, circuit_, cnf_) {
+      : choices_(choices.begin(), choices.end()),
+        search_(propagator_),
+        cnf_(circuit_, propagator_),
+        blaster_(graph, circuit_, cnf_) {
     for (const NodeId condition : conditions) {
       const Literal holds = blaster_.condition(condition);
       cnf_.add_clause({&holds, 1});
     }
-    for (const std::size_t variable : choices) {
+    for (const std::size_t variable : choices_) {
       blaster_.choices().add(variable);
       search_.add(blaster_.choices().inputs(variable), cnf_);
     }
   }
 
-  Outcome next(const StopSignal& stop) {
+  Outcome next(const StopSignal& stop, std::uint64_t most_dead_ends) {
     if (over_ != Outcome::kFound) return over_;
     if (stop.stopped()) return over_ = Outcome::kStopped;
-    if (at_model_ && !search_.turn_back()) return over_ = Outcome::kNone;
+    if (at_model_ && !turn_back()) return over_ = Outcome::kNone;
     at_model_ = false;
     std::uint64_t dead_ends = 0;
     while (true) {
@@ -37,10 +42,25 @@ class Enumerator::Search {
         propagator_.decide(literal);
       } else {
         if (++dead_ends % tuning::kDeadEndsPerLook == 0 && stop.stopped()) return over_ = Outcome::kStopped;
-        if (dead_ends > tuning::kMostDeadEnds) return over_ = Outcome::kTooHard;
-        if (!search_.turn_back()) return over_ = Outcome::kNone;
+        if (dead_ends > most_dead_ends) return over_ = Outcome::kTooHard;
+        const bool learns = !suggested_.empty() || dead_ends > tuning::kDeadEndsToLearn;
+        if (!(learns ? leave_dead_end() : turn_back())) return over_ = Outcome::kNone;
       }
     }
+  }
+
+  void begin_near(const std::function<std::int64_t(std::size_t)>& value_of) {
+    while (propagator_.decisions() > 0) propagator_.undo();
+    suggested_.assign(propagator_.variables(), false);
+    for (const std::size_t variable : choices_) {
+      const auto inputs = blaster_.choices().inputs(variable);
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (is_constant(inputs[i])) continue;
+        suggested_[static_cast<std::size_t>(cnf_.variable(inputs[i]))] =
+            blaster_.choices().input_at(variable, i, value_of(variable));
+      }
+    }
+    over_ = Outcome::kFound;
   }
 
   std::int64_t value(std::size_t variable) const {
@@ -51,22 +71,53 @@ class Enumerator::Search {
   }
 
  private:
-  /// Returns a literal that says that a choice takes the lowest of its values, or 0 if all choices are
+  /// Replaces the last decision by its negation. Returns false if there is none.
+  bool turn_back() {
+    if (!search_.turn_back()) return false;
+    turned_ = propagator_.decisions();
+    return true;
+  }
+
+  /// Learns from a conflict, and takes back the decisions that had no part in it, but none below which models
+  /// were found.
+  bool leave_dead_end() {
+    if (propagator_.decisions() <= turned_ || propagator_.learned() >= tuning::kMostLearned)
+      return turn_back();
+    analysis_.analyze(propagator_);
+    const std::size_t kept = std::max(analysis_.decisions(), turned_);
+    while (propagator_.decisions() > kept) propagator_.undo();
+    propagator_.learn(analysis_.clause());
+    return true;
+  }
+
+  /// Returns a literal that says that a choice takes its suggested value, or comes as near to it as an input
+  /// can say; without suggestions, that it takes the lowest of its values. Returns 0 if all choices are
   /// decided.
   int next_decision() {
     const auto choice = search_.next();
     if (!choice) return 0;
-    const auto inputs = search_.inputs(*choice);
-    return -*std::ranges::find_if(inputs, [this](int input) { return propagator_.is_open(input); });
+    int decided = 0;
+    for (const int input : search_.inputs(*choice)) {
+      if (propagator_.is_open(input) && (decided == 0 || is_suggested(input))) decided = input;
+    }
+    return is_suggested(decided) ? decided : -decided;
   }
 
+  bool is_suggested(int variable) const {
+    return !suggested_.empty() && suggested_[static_cast<std::size_t>(variable)];
+  }
+
+  std::vector<std::size_t> choices_;
   Circuit circuit_;
   Propagator propagator_;
   ChoiceSearch search_;
+  ConflictAnalysis analysis_;
+  std::size_t turned_ = 0;  // so many decisions stood when one was last replaced by its negation
   Cnf cnf_;
   BitBlaster blaster_;
   Outcome over_ = Outcome::kFound;  // how the enumeration ended; kFound while it goes on
   bool at_model_ = false;
+  std::vector<bool> suggested_;  // by variable of the propagator: whether it is to be tried as true first
 };
 
 Enumerator::Enumerator(const Graph& graph, std::span<const NodeId> conditions,
@@ -75,7 +126,13 @@ Enumerator::Enumerator(const Graph& graph, std::span<const NodeId> conditions,
 
 Enumerator::~Enumerator() = default;
 
-Enumerator::Outcome Enumerator::next(const StopSignal& stop) { return search_->next(stop); }
+Enumerator::Outcome Enumerator::next(const StopSignal& stop, std::uint64_t most_dead_ends) {
+  return search_->next(stop, most_dead_ends);
+}
+
+void Enumerator::begin_near(const std::function<std::int64_t(std::size_t)>& value_of) {
+  search_->begin_near(value_of);
+}
 
 std::int64_t Enumerator::value(std::size_t variable) const { return search_->value(variable); }
 
