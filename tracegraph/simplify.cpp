@@ -243,6 +243,7 @@ class EqualToConstant {
     if (node.is_constant()) return graph_.constant(id == constant_);
     if (node.op != Op::kIteInt || depth == kMostDepth || ++visits_ == kMostVisits) return std::nullopt;
     if (!node.interval.contains(graph_.node(constant_).interval.lo)) return kFalse;
+    if (const auto place = place_of(node)) return of_list(id, place->index, depth);
     const auto a = of(node.operands[1], depth + 1);
     if (!a) return std::nullopt;
     const auto b = of(node.operands[2], depth + 1);
@@ -251,6 +252,45 @@ class EqualToConstant {
   }
 
  private:
+  /// A condition that an index is the place of an element.
+  struct Place {
+    NodeId index;
+    std::int64_t number;
+  };
+
+  std::optional<Place> place_of(const Graph::Node& node) const {
+    if (node.op != Op::kIteInt) return std::nullopt;
+    const Graph::Node& condition = graph_.node(node.operands[0]);
+    if (condition.op != Op::kEqInt || !graph_.node(condition.operands[1]).is_constant()) return std::nullopt;
+    return Place{condition.operands[0], graph_.node(condition.operands[1]).interval.lo};
+  }
+
+  /// Of a list's elements, of which each has the condition that the index is its place, those count that are
+  /// the constant. As the index has one value, it need not be said that it is none of the places before.
+  std::optional<NodeId> of_list(NodeId id, NodeId index, unsigned depth) {
+    NodeId any = kFalse, none = kTrue;
+    std::optional<std::int64_t> last;
+    std::int64_t places = 0;
+    while (true) {
+      const Graph::Node node = graph_.node(id);
+      const auto place = place_of(node);
+      if (!place || place->index != index || (last && place->number <= *last)) break;
+      const auto element = of(node.operands[1], depth + 1);
+      if (!element || ++visits_ >= kMostVisits) return std::nullopt;
+      any = graph_.disjunction(any, graph_.conjunction(node.operands[0], *element));
+      none = graph_.conjunction(none, graph_.negation(node.operands[0]));
+      last = place->number;
+      ++places;
+      id = node.operands[2];
+    }
+    const auto rest = of(id, depth + 1);
+    if (!rest) return std::nullopt;
+    const Interval indices = graph_.node(index).interval;
+    if (*last + 1 == indices.hi && places == indices.hi - indices.lo)
+      none = graph_.apply(Op::kEqInt, {index, graph_.constant(indices.hi)});
+    return graph_.disjunction(any, graph_.conjunction(none, *rest));
+  }
+
   static constexpr unsigned kMostDepth = 40;  // more than a list has, whose choices are a balanced tree
   static constexpr std::size_t kMostVisits = 4'000'000;  // some hundredths of a second
 

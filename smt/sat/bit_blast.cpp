@@ -10,6 +10,7 @@
 #include "smt/sat/cardinality.h"
 #include "smt/sat/constrained_sum.h"
 #include "smt/sat/truth_table.h"
+#include "smt/sat/unary_sum.h"
 #include "smt/sat/wide_choices.h"
 #include "smt/tuning.h"
 #include "smt/unsupported_operation.h"
@@ -129,9 +130,11 @@ class LinearComparison : public Definition {
       : circuit_(circuit), terms_(std::move(terms)), least_(least), in_gates_(std::move(in_gates)) {}
 
   void write(bool negated, const Emit& emit) const override {
-    const auto cardinality = as_cardinality(linear(negated));
+    const LinearBound bound = linear(negated);
+    const auto cardinality = as_cardinality(bound);
     if (cardinality && write_cardinality(circuit_, *cardinality, emit)) return;
-    const Literal literal = in_gates_() ^ negated;
+    auto unary = UnarySum::of(bound, tuning::kMostUnaryPairs);
+    const Literal literal = unary ? unary->at_least(circuit_, bound.least) : in_gates_() ^ negated;
     circuit_.use(literal);
     emit({&literal, 1});
   }

@@ -532,6 +532,31 @@ TEST_CASE("graph: a comparison of what is chosen is about the sides that it does
   CHECK(graph.node(graph.apply(Op::kLeInt, {chain, zero})).op == Op::kLeInt);
 }
 
+TEST_CASE("graph: that a list's element is a constant is a condition on the index") {
+  Graph graph;
+  AddressTable addresses;
+  const NodeId index = graph.choice({addresses.site(addresses.root(), "index"), {0, 199, 1, {}}});
+  const auto is = [&](std::int64_t place) { return graph.apply(Op::kEqInt, {index, graph.constant(place)}); };
+  const auto element = [&](std::int64_t places) {
+    NodeId chosen = graph.constant(places % 10);
+    for (std::int64_t i = places - 1; i >= 0; --i) chosen = graph.phi(is(i), graph.constant(i % 10), chosen);
+    return chosen;
+  };
+  for (const std::int64_t places :
+       {199, 150}) {  // all but the last of the index's values have a place, or fewer
+    const NodeId last = graph.apply(Op::kEqInt, {element(places), graph.constant(places % 10)});
+    for (std::int64_t value = 0; value < 200; ++value) {
+      Assignment assignment(graph, [&](std::size_t) { return Scalar::of(value); });
+      CHECK(assignment.holds(last) == (std::min(value, places) % 10 == places % 10));
+    }
+  }
+  CHECK(graph.apply(Op::kEqInt, {graph.phi(is(3), graph.constant(std::int64_t{7}), element(199)),
+                                 graph.constant(std::int64_t{10})}) == kFalse);
+  NodeId expected = kFalse;
+  for (std::int64_t i = 9; i < 200; i += 10) expected = graph.disjunction(expected, is(i));
+  CHECK(graph.apply(Op::kEqInt, {element(199), graph.constant(std::int64_t{9})}) == expected);
+}
+
 TEST_CASE("graph: hash-consing finds equal expressions, whichever way round their operands stand") {
   Graph graph;
   AddressTable addresses;

@@ -71,6 +71,32 @@ TEST_CASE("permutations: a condition narrows the values") {
   CHECK(ints.found().size() == 3);
 }
 
+TEST_CASE("permutations: to compare ints that are looked up is no longer needed") {
+  for (const bool looked_up : {true, false}) {
+    DifferentInts ints;
+    std::vector<NodeId> members;
+    for (std::int64_t i = 0; i < 3; ++i) {
+      const NodeId index = ints.add(0, 2);
+      const auto is = [&](std::int64_t place) {
+        return ints.graph.apply(Op::kEqInt, {index, ints.graph.constant(place)});
+      };
+      const auto constant = [&](std::int64_t value) { return ints.graph.constant(value); };
+      const NodeId element = ints.graph.phi(is(0), constant((2 * i) % 3),
+                                            ints.graph.phi(is(1), constant(1), constant((2 * i + 2) % 3)));
+      members.push_back(looked_up ? element : index);
+    }
+    ints.all_differ(members);
+    CHECK(ints.found().size() == 3);
+    const Permutations found = find_permutations(ints.graph, find_separations(ints.graph, ints.conditions));
+    CHECK(found.ruled_out.size() == (looked_up ? 3 : 0));
+    for (const NodeId equation : found.ruled_out) {
+      std::vector<NodeId> conditions = found.values;
+      conditions.push_back(equation);
+      CHECK_FALSE(can_hold(ints.graph, conditions));
+    }
+  }
+}
+
 TEST_CASE("permutations: rows and columns of a square") {
   DifferentInts ints;
   std::vector<std::vector<NodeId>> rows(3), columns(3);

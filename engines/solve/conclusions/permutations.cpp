@@ -36,8 +36,8 @@ class Differences {
       const AxisSeparation& axis = pair.axes[0];
       if (pair.number != 1 || axis.length != std::array<std::int64_t, 2>{1, 1}) continue;
       const ShiftedInt a = shifted(axis.at[0]), b = shifted(axis.at[1]);
-      apart_[a].insert(b);
-      apart_[b].insert(a);
+      apart_[a].emplace(b, pair.condition);
+      apart_[b].emplace(a, pair.condition);
     }
   }
 
@@ -53,8 +53,8 @@ class Differences {
     return {base.lo + of.offset, base.hi + of.offset};
   }
 
-  /// Returns each int with those that differ from it by a condition.
-  const std::map<ShiftedInt, std::set<ShiftedInt>>& all() const { return apart_; }
+  /// Returns each int with those that differ from it by a condition, and that condition.
+  const std::map<ShiftedInt, std::map<ShiftedInt, SignedNode>>& all() const { return apart_; }
 
  private:
   ShiftedInt shifted(NodeId id) const {
@@ -66,7 +66,7 @@ class Differences {
 
   const Graph& graph_;
   const Separations& separations_;
-  std::map<ShiftedInt, std::set<ShiftedInt>> apart_;
+  std::map<ShiftedInt, std::map<ShiftedInt, SignedNode>> apart_;
 };
 
 /// Ints that pairwise differ.
@@ -122,11 +122,13 @@ class Grouping {
  public:
   Grouping(const Graph& graph, const Separations& separations) : differences_(graph, separations) {}
 
+  const Differences& differences() const { return differences_; }
+
   /// Calls `visit` with each group that is a permutation.
   template <class Visit>
   void for_each_permutation(Visit visit) {
     for (const auto& [first, others] : differences_.all()) {
-      for (const ShiftedInt& second : others) {
+      for (const auto& [second, condition] : others) {
         if (work_ == 0) return;
         spend();
         if (first.offset != 0 || second.offset != 0 || second < first || grouped_.contains({first, second}))
@@ -148,7 +150,7 @@ class Grouping {
       const ShiftedInt next = open.extract(open.begin()).value();
       if (!differs_from_all(group, next)) continue;
       join(group, next);
-      for (const ShiftedInt& other : differences_.all().at(next)) {
+      for (const auto& [other, condition] : differences_.all().at(next)) {
         if (met.insert(other).second) open.insert(other);
         spend();
       }
@@ -176,18 +178,39 @@ class Grouping {
   std::size_t work_ = tuning::kMostPermutationWork;
 };
 
+/// Returns true if each is one of several ints, as an element of a list is. That it is one of its values is a
+/// condition on the index, while to compare two of them takes gates for each value of each element.
+bool are_looked_up(const Graph& graph, const Group& group) {
+  return std::ranges::all_of(
+      group.members(), [&](const ShiftedInt& member) { return graph.node({member.base}).op == Op::kIteInt; });
+}
+
+/// Adds the equations of two of the group.
+void add_equations(const Differences& differences, const Group& group, std::unordered_set<NodeId>& to) {
+  for (const ShiftedInt& member : group.members()) {
+    const auto others = differences.all().find(member);
+    if (others == differences.all().end()) continue;
+    for (const ShiftedInt& other : group.members()) {
+      const auto found = others->second.find(other);
+      if (found != others->second.end() && !found->second.holds) to.insert(found->second.node);
+    }
+  }
+}
+
 }  // namespace
 
 Permutations find_permutations(Graph& graph, const Separations& separations) {
   Permutations found;
   if (separations.pairs.size() > tuning::kMostPermutationPairs) return found;
   std::size_t equations = tuning::kMostPermutationEquations;
-  Grouping(graph, separations).for_each_permutation([&](const Group& group) {
+  Grouping grouping(graph, separations);
+  grouping.for_each_permutation([&](const Group& group) {
     const std::size_t size = group.members().size() * group.members().size();
     if (size > equations) return;
     equations -= size;
     std::ranges::copy(group.each_value_once(graph), std::back_inserter(found.values));
     if (const auto sum = group.sum_of_values(graph)) found.sums.push_back(*sum);
+    if (are_looked_up(graph, group)) add_equations(grouping.differences(), group, found.ruled_out);
   });
   return found;
 }

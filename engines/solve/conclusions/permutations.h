@@ -1,4 +1,5 @@
 #pragma once
+#include <unordered_set>
 #include <vector>
 
 #include "engines/solve/conclusions/separations.h"
@@ -10,6 +11,9 @@ namespace solitaire {
 struct Permutations {
   std::vector<NodeId> values;  // conditions: exactly one of the ints has that value
   std::vector<NodeId> sums;    // conditions: the ints add up to what their values do
+  /// Equations that `values` rule out, between ints that are looked up in lists: to compare such ints is
+  /// dear.
+  std::unordered_set<NodeId> ruled_out;
 };
 
 /// Looks for ints that pairwise differ and are as many as the values that they can have. A search that looks

@@ -62,11 +62,26 @@ void ExecutionSolver::sync() {
   if (!options_.method->asserts_closed_sides()) tell_over_full();
   for (const Term& term : trace().hard_terms) {
     if (!firm_(term)) continue;
-    const NodeId required = graph_.implication(term.guard, term.node);
-    if (required != kTrue && required_.insert(required.index).second) solver_->add_clause({&required, 1});
+    tell_required(graph_.implication(term.guard, term.node));
   }
   if (!options_.method->asserts_closed_sides()) return;
   for (const TraceBlocker& blocker : trace().blockers) require(graph_.negation(blocker.guard));
+}
+
+/// Tells the solver of a condition, but not of those of its conjuncts that rule out what is ruled out anyway.
+void ExecutionSolver::tell_required(NodeId required) {
+  std::vector<NodeId> pending{required};
+  while (!pending.empty()) {
+    const NodeId next = pending.back();
+    pending.pop_back();
+    const Graph::Node& node = graph_.node(next);
+    if (node.op == Op::kAnd && !ruled_out_.empty()) {
+      pending.insert(pending.end(), {node.operands[1], node.operands[0]});
+    } else if (next != kTrue && (node.op != Op::kNot || !ruled_out_.contains(node.operands[0])) &&
+               required_.insert(next.index).second) {
+      solver_->add_clause({&next, 1});
+    }
+  }
 }
 
 /// Tells the solver which conditions cannot hold together since there is too little room, which it would find
@@ -79,6 +94,7 @@ void ExecutionSolver::tell_over_full() {
   comparisons_ = separations.comparisons;
   const Permutations permutations = find_permutations(graph_, separations);
   implied_ = permutations.values;
+  ruled_out_ = permutations.ruled_out;
   for (const NodeId condition : implied_) require(condition);
   implied_sums_ = permutations.sums;
   for (const NodeId sum : implied_sums_) comparisons_.push_back({sum});

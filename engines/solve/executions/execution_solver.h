@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "engines/solution_stream.h"
@@ -113,6 +114,7 @@ class ExecutionSolver {
 
  private:
   void sync();
+  void tell_required(NodeId required);
   void tell_over_full();
   void tell_sum_conflict(const std::vector<NodeId>& assumptions);
   void tell(const OverFull& conflict);
@@ -134,10 +136,11 @@ class ExecutionSolver {
   EngineTimes times_;
   std::size_t synced_pass_ = 0;
   std::vector<NodeId> implied_, implied_sums_;  // as find_permutations() gives them
-  std::vector<SignedNode> comparisons_;         // that every execution fulfils
-  std::size_t counted_pass_ = 0;                // the pass whose sums were looked at
-  int sums_in_vain_ = 0;                        // so many times in a row
-  std::int64_t questions_to_skip_ = 0;          // before sums are looked at again
+  std::unordered_set<NodeId> ruled_out_;
+  std::vector<SignedNode> comparisons_;  // that every execution fulfils
+  std::size_t counted_pass_ = 0;         // the pass whose sums were looked at
+  int sums_in_vain_ = 0;                 // so many times in a row
+  std::int64_t questions_to_skip_ = 0;   // before sums are looked at again
 };
 
 /// Says why there is no further solution when the search for one came to this.
