@@ -32,8 +32,8 @@ inline constexpr std::uint64_t kComparedPairs = 256;
 /// order encoding compare without; and what many comparisons share is worth being written once.
 inline constexpr std::size_t kLeastLinearTerms = 4;
 inline constexpr std::size_t kMostLinearFormTerms = 100'000;
-/// A bound on a sum is written in unary if its tree has so many pairs of values at most. A pair takes a clause
-/// at most, so that is a second.
+/// A bound on a sum is written in unary if its tree has so many pairs of values at most. A pair takes a
+/// clause at most, so that is a second.
 inline constexpr std::size_t kMostUnaryPairs = 3'000'000;
 /// That at most one of so many literals holds is said pair by pair.
 inline constexpr std::size_t kMostPairwise = 5;
