@@ -1,5 +1,8 @@
 #include "library/json.h"
 
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
 #include <solitaire/error.h>
 #include <solitaire/explain.h>
 
@@ -121,7 +124,9 @@ bool is_choice(const Json& json) {
 
 Json json_of(const Value& value) { return std::visit(ValueWriter{}, value.is); }
 
-Json json_of(const Solution& solution) {
+namespace {
+
+Json json_without_choices(const Solution& solution) {
   Json json{{"value", json_of(solution.value)}};
   if (solution.quality) {
     json["cost"] = solution.quality->cost;
@@ -130,6 +135,24 @@ Json json_of(const Solution& solution) {
     json["broken"] = list_of(solution.broken, broken_json);
     json["unmet"] = list_of(solution.unmet, unmet_json);
   }
+  return json;
+}
+
+/// Appends what json_text(choice_json(choice)) gives, which takes long where solutions are many.
+void write_choice(const Choice& choice, std::string& text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
+  const auto* number = std::get_if<std::int64_t>(&choice.value);
+  if (number == nullptr || !choice.element.empty() || !std::ranges::all_of(choice.address, is_plain)) {
+    text += json_text(choice_json(choice));
+    return;
+  }
+  fmt::format_to(std::back_inserter(text), R"({{"at":"{}","value":{}}})", choice.address, *number);
+}
+
+}  // namespace
+
+Json json_of(const Solution& solution) {
+  Json json = json_without_choices(solution);
   json["choices"] = list_of(solution.choices, choice_json);
   return json;
 }
@@ -173,8 +196,15 @@ std::vector<Choice> all_choices_of(const Json& solution, const std::string& file
 std::string to_json(const Solution& solution) {
   Json json = Json::object();
   if (solution.number > 0) json["index"] = solution.number;
-  json.update(json_of(solution));
-  return json_text(json);
+  json.update(json_without_choices(solution));
+  std::string text = json_text(json);
+  text.back() = ',';
+  text += "\"choices\":[";
+  for (const Choice& choice : solution.choices) {
+    if (text.back() == '}') text += ',';
+    write_choice(choice, text);
+  }
+  return text + "]}";
 }
 
 std::string to_json(const Explanation& explanation) {

@@ -35,6 +35,12 @@ void Assignment::cover_graph() {
 
 std::optional<Scalar> Assignment::value(NodeId node) {
   if (node.index >= states_.size()) cover_graph();
+  if (state(node) == State::kUnknown) evaluate(node);
+  if (state(node) == State::kUndefined) return std::nullopt;
+  return values_[node.index];
+}
+
+void Assignment::evaluate(NodeId node) {
   const auto push_needed = [this](NodeId at, std::vector<NodeId>& pending) {
     for (const NodeId operand : graph_.node(at).args()) {
       if (state(operand) == State::kUnknown) pending.push_back(operand);
@@ -43,8 +49,30 @@ std::optional<Scalar> Assignment::value(NodeId node) {
   in_post_order(
       node, [this](NodeId at) { return state(at) != State::kUnknown; }, push_needed,
       [this](NodeId at) { compute(at); });
-  if (state(node) == State::kUndefined) return std::nullopt;
-  return values_[node.index];
+}
+
+void Assignment::take_changes() {
+  cover_graph();
+  if (!users_ || users_->size() != graph_.size()) users_.emplace(graph_);
+  for (std::size_t number = 0; number < graph_.variables().size(); ++number) {
+    const NodeId variable = graph_.variable_node(number);
+    if (state(variable) == State::kKnown && value_of_(number).i != values_[variable.index].i)
+      forget(variable);
+  }
+}
+
+/// Forgets the values of a node and of what depends on it. What depends on a node that is unknown already is
+/// unknown, too, as operands are evaluated first.
+void Assignment::forget(NodeId node) {
+  pending_.assign(1, node);
+  while (!pending_.empty()) {
+    const NodeId at = pending_.back();
+    pending_.pop_back();
+    if (state(at) == State::kUnknown) continue;
+    states_[at.index] = State::kUnknown;
+    const std::span<const NodeId> users = users_->of(at);
+    pending_.insert(pending_.end(), users.begin(), users.end());
+  }
 }
 
 bool Assignment::holds(NodeId node) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracegraph/graph.h"
+#include "tracegraph/users.h"
 
 namespace solitaire {
 
@@ -24,17 +25,25 @@ class Assignment {
   /// Returns true if a bool node is true.
   bool holds(NodeId node);
 
+  /// Asks for the values of the choices again. Of what was evaluated, only what depends on a choice with
+  /// another value than before is evaluated anew.
+  void take_changes();
+
  private:
   enum class State : std::uint8_t { kUnknown, kKnown, kUndefined };
   /// Makes room for all nodes that the graph has by now.
   void cover_graph();
+  void evaluate(NodeId node);
   void compute(NodeId node);
+  void forget(NodeId node);
   State state(NodeId node) const { return states_[node.index]; }
 
   const Graph& graph_;
   std::function<Scalar(std::size_t)> value_of_;
   std::vector<State> states_;
   std::vector<Scalar> values_;
+  std::optional<Users> users_;   // once values have changed
+  std::vector<NodeId> pending_;  // while something is forgotten
 };
 
 }  // namespace solitaire

@@ -2,7 +2,6 @@
 
 #include "engines/solve/conclusions/symmetry.h"
 #include "engines/solve/executions/meeting.h"
-#include "smt/tuning.h"
 
 namespace solitaire {
 
@@ -23,9 +22,8 @@ Enumeration::Enumeration(ExecutionSolver& solver, std::vector<NodeId> conditions
   enumerator_ = std::make_unique<Enumerator>(graph, conditions, choices);
 }
 
-Enumeration::Outcome Enumeration::next(const StopSignal& stop) {
-  const Outcome outcome =
-      enumerator_->next(stop, may_begin_near() ? tuning::kFewDeadEnds : tuning::kMostDeadEnds);
+Enumeration::Outcome Enumeration::next(const StopSignal& stop, std::uint64_t most_dead_ends) {
+  const Outcome outcome = enumerator_->next(stop, most_dead_ends);
   begun_ = begun_ || outcome == Outcome::kFound;
   return outcome;
 }
@@ -36,8 +34,15 @@ void Enumeration::begin_near(Assignment& solution) {
       [&](std::size_t variable) { return solution.value(graph_.variable_node(variable))->i; });
 }
 
-Assignment Enumeration::assignment() const {
-  return {graph_, [this](std::size_t variable) { return Scalar::of(enumerator_->value(variable)); }};
+Assignment& Enumeration::assignment() {
+  if (assignment_) {
+    assignment_->take_changes();
+  } else {
+    assignment_.emplace(graph_, [values = enumerator_.get()](std::size_t variable) {
+      return Scalar::of(values->value(variable));
+    });
+  }
+  return *assignment_;
 }
 
 }  // namespace solitaire

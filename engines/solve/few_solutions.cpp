@@ -49,7 +49,7 @@ std::optional<std::vector<Valuation>> few_solutions(TracedProgram& traced, std::
     const Enumeration::Outcome outcome = enumeration.next(traced.stop());
     if (outcome == Enumeration::Outcome::kNone) break;
     if (outcome != Enumeration::Outcome::kFound || all.size() == most) return std::nullopt;
-    Assignment assignment = enumeration.assignment();
+    Assignment& assignment = enumeration.assignment();
     all.push_back(traced.solver().met(assignment).values);
   }
   shuffle(all, RandomStream(seed, Purpose::kSample, 0));

@@ -7,6 +7,7 @@
 #include "engines/seen.h"
 #include "engines/solve/executions/auxiliary.h"
 #include "engines/tuning.h"
+#include "smt/tuning.h"
 
 namespace solitaire {
 namespace {
@@ -160,7 +161,7 @@ std::optional<Solution> TracingEngine::next_enumerated() {
       give_up_enumeration();
       return std::nullopt;
   }
-  Assignment assignment = enumeration_->assignment();
+  Assignment& assignment = enumeration_->assignment();
   Candidate found = candidate(assignment);
   enumerated_.emplace_back(found.values.begin(), found.values.end());
   return std::move(found.solution);
@@ -170,11 +171,12 @@ std::optional<Solution> TracingEngine::next_enumerated() {
 /// solver finds it.
 Enumeration::Outcome TracingEngine::enumerate() {
   ExecutionSolver& solver = traced_.solver();
-  const auto next = [&] {
+  const auto next = [&](std::uint64_t most_dead_ends) {
     const Stopwatch watch(solver.times().solve);
-    return enumeration_->next(traced_.stop());
+    return enumeration_->next(traced_.stop(), most_dead_ends);
   };
-  const Enumeration::Outcome outcome = next();
+  const Enumeration::Outcome outcome =
+      next(enumeration_->may_begin_near() ? tuning::kFewDeadEnds : tuning::kMostDeadEnds);
   if (outcome != Enumeration::Outcome::kTooHard || !enumeration_->may_begin_near()) return outcome;
   switch (solver.find([&] { return enumeration_->left_out(); })) {
     case ExecutionSolver::Outcome::kFound:
@@ -186,7 +188,7 @@ Enumeration::Outcome TracingEngine::enumerate() {
   }
   Assignment solution = solver.assignment();
   enumeration_->begin_near(solution);
-  return next();
+  return next(tuning::kMostDeadEnds);
 }
 
 void TracingEngine::hear_of_alike() {

@@ -128,8 +128,8 @@ bool ChoiceEncoding::input_at(std::size_t variable, std::size_t input, std::int6
 std::int64_t ChoiceEncoding::decode(std::size_t variable, const std::function<bool(Literal)>& holds) const {
   const Choice& made = choices_[variable];
   if (made.order) {
-    const auto reached = std::count_if(made.inputs.begin(), made.inputs.end(), holds);
-    return made.order->values[static_cast<std::size_t>(reached)];
+    const auto reached = std::partition_point(made.inputs.begin(), made.inputs.end(), holds);
+    return made.order->values[static_cast<std::size_t>(reached - made.inputs.begin())];
   }
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < made.bits.size(); ++i) bits |= std::uint64_t{holds(made.bits[i])} << i;

@@ -222,6 +222,33 @@ TEST_CASE("enumerator: goes through all assignments that fulfil random condition
   CHECK(models > 1000);
 }
 
+TEST_CASE("assignment: once choices have other values, each node is what a new evaluation says") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    Thicket thicket(seed, true, kFew);
+    std::mt19937_64 random(seed);
+    std::vector<std::int64_t> values(thicket.graph.variables().size());
+    const auto draw = [&](std::size_t variable) {
+      const Distribution& domain = thicket.graph.variables()[variable].domain;
+      values[variable] = domain.value(random() % domain.size());
+    };
+    for (std::size_t variable = 0; variable < values.size(); ++variable) draw(variable);
+    const auto value_of = [&](std::size_t variable) { return Scalar::of(values[variable]); };
+    Assignment kept(thicket.graph, value_of);
+    for (int round = 0; round < 15; ++round) {
+      for (int i = 0; i < 10; ++i) thicket.grow();
+      draw(random() % values.size());
+      kept.take_changes();
+      Assignment fresh(thicket.graph, value_of);
+      for (std::uint32_t at = 0; at < thicket.graph.size(); ++at) {
+        const auto expected = fresh.value({at}), found = kept.value({at});
+        REQUIRE(found.has_value() == expected.has_value());
+        if (expected) REQUIRE(found->i == expected->i);
+      }
+    }
+  }
+}
+
 TEST_CASE("cadical: agrees with Z3 on random graphs") {
   const StopSignal never;
   std::size_t satisfiable = 0;
