@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "solitaire/run/binary_meaning.h"
+#include "solitaire/value/chosen_list.h"
 #include "solitaire/value/elements.h"
 #include "solitaire/value/joined.h"
 
