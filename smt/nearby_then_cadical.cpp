@@ -31,6 +31,9 @@ double distance(const Model& a, const Model& b) {
 /// other.
 class LastModels {
  public:
+  /// What is nearer than `share` percent of their mean distance is near.
+  explicit LastModels(unsigned share) : share_(share / 100.0) {}
+
   void add(const Model& model) {
     for (const Model& earlier : models_) distances_ += distance(model, earlier);
     pairs_ += models_.size();
@@ -40,12 +43,12 @@ class LastModels {
 
   bool is_near(const Model& model) const {
     const double usual = pairs_ == 0 ? 1 : distances_ / static_cast<double>(pairs_);
-    return std::ranges::any_of(models_, [&](const Model& earlier) {
-      return distance(model, earlier) < tuning::kNearModels * usual;
-    });
+    return std::ranges::any_of(
+        models_, [&](const Model& earlier) { return distance(model, earlier) < share_ * usual; });
   }
 
  private:
+  double share_;
   std::deque<Model> models_;
   double distances_ = 0;  // summed over all pairs that were remembered at a time
   std::size_t pairs_ = 0;
@@ -59,7 +62,8 @@ class NearbyThenCadical : public Solver, private ClauseSink {
         cadical_(Cadical::Use::kRefutation, options.seed),
         clauses_(graph, *this),
         nearby_(propagator_, clauses_, options.seed, spread_.searches_that_forget),
-        random_(options.seed, Purpose::kSigns, 0) {}
+        random_(options.seed, Purpose::kSigns, 0),
+        last_models_(spread_.near_models) {}
 
   void add_clause(std::span<const NodeId> conditions) override { clauses_.add_clause(conditions); }
 

@@ -81,11 +81,16 @@ inline constexpr std::uint64_t kConflictsPerLookNearby = 64;
 struct Spread {
   unsigned searches_that_forget;  // searches near suggestions that begin without what earlier ones met
   unsigned random_signs;  // variables that stand for no choice, of which CaDiCaL tries a random sign first
+  /// CaDiCaL begins anew where the distance of its model from one of its last is a smaller share of their
+  /// mean distance from each other; see "Random values" in docs/engine.md. Where all distances below 0.3 were
+  /// too near, tight rooms of two and three groups, in which models are nearer, took half as long again and
+  /// were no farther apart.
+  unsigned near_models;
 };
 /// 100 solutions of platforms-6 have a mean distance of 0.77 in 61 ms if no search forgets, 0.80 in 68 ms if
 /// one in eight does, and 0.81 in 83 ms if all do; docs/engine.md has more rows.
-inline constexpr Spread kUsualSpread{12, 10};
-inline constexpr Spread kFarApart{100, 100};
+inline constexpr Spread kUsualSpread{12, 10, 33};
+inline constexpr Spread kFarApart{100, 100, 67};
 
 /// CaDiCaL follows the values that the search had come to for so many conflicts. A search that tries given
 /// values first, whatever it learns, can take forever where things stand close.
@@ -97,12 +102,8 @@ inline constexpr std::uint64_t kConflictsNearSuggestions = 300;
 /// about to be found; with this they take as long as without, and those of five a third of it.
 inline constexpr std::uint64_t kConflictsOfOneWay = 8000;
 
-/// CaDiCaL begins anew where the distance of its model from one of its last is a smaller share of their mean
-/// distance from each other; see "Random values" in docs/engine.md. Where all distances below 0.3 were too
-/// near, tight rooms of two and three groups, in which models are nearer, took half as long again and were no
-/// farther apart.
-inline constexpr double kNearModels = 1.0 / 3;
-/// It begins anew so often at most for one model, and looks at so many of the last ones. Judgement.
+/// Where its model is near one of its last ones, CaDiCaL begins anew so often at most for one model, and
+/// looks at so many of the last ones. Judgement.
 inline constexpr unsigned kNewBeginnings = 3;
 inline constexpr std::size_t kModelsToLeave = 16;
 

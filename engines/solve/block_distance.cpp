@@ -27,7 +27,7 @@ std::optional<Solution> BlockDistance::next(const Find& find) {
     std::optional<Solution> found = find();
     if (!found) return std::nullopt;
     const double far = distance(*found);
-    if (far >= tuning::kNearSolutions) {
+    if (far >= near_) {
       in_vain_ = 0;
       return found;
     }

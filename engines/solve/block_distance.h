@@ -20,6 +20,9 @@ class BlockDistance {
  public:
   using Find = std::function<std::optional<Solution>()>;
 
+  /// What is nearer to another solution than this is near.
+  explicit BlockDistance(double near) : near_(near) {}
+
   /// Takes note of a solution of the series.
   void add(const Solution& solution);
   /// Begins a block, which is to be kept away from all solutions so far.
@@ -37,6 +40,7 @@ class BlockDistance {
   };
   double distance(const Solution& solution) const;
 
+  double near_;
   std::vector<HashedFeatures> all_;  // the choices of the first solutions
   std::size_t others_ = 0;           // so many of them are of blocks before
   std::deque<Near> aside_;

@@ -28,6 +28,7 @@ Series::Series(const Program& program, ParamValues params, const TracingOptions&
       params_(std::move(params)),
       tracing_(tracing),
       options_(std::move(options)),
+      distance_(tracing.far_apart ? tuning::kNearFarApart : tuning::kNearSolutions),
       results_(options_.apart) {
   tracing_.one_of_alike = options_.apart != Apart::kChoices;
   tracing_.apart = options_.apart;

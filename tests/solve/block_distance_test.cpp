@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engines/tuning.h"
+
 namespace solitaire {
 namespace {
 
@@ -44,7 +46,7 @@ class Given {
 
 /// Keeps away from these.
 BlockDistance away_from(const std::vector<std::string>& others) {
-  BlockDistance distance;
+  BlockDistance distance(tuning::kNearSolutions);
   for (const std::string& each : others) distance.add(solution_of(each));
   distance.start_block();
   return distance;
