@@ -57,7 +57,8 @@ class Kernel {
   };
   void keep(Present& present) const;
   void come_back(const Present& present);
-  /// What a change of one choice would do. The present values stay until accept() takes the change over.
+  /// What a change of one choice would do. The present values stay until accept() takes the change over. Of a
+  /// choice with finitely many values, the same in all executions, it is one of these.
   Outcome propose(ChoiceNumber choice, Scalar value);
   /// The same of a change of all floats together: a value for each of floats().
   Outcome propose_floats(std::span<const double> values);

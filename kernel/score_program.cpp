@@ -15,9 +15,16 @@ NodeId guarded(Graph& graph, NodeId guard, NodeId term) {
   return guard == kTrue ? term : graph.phi(guard, term, graph.constant(0.0));
 }
 
+/// Returns true if the values of the choice are few, and the same in all executions: then nobody proposes
+/// another one.
+bool has_fixed_values(const Graph& graph, const TraceChoice& choice) {
+  return choice.domain.is_finite() && (!choice.domain.weights.empty() || has_fixed_parameters(graph, choice));
+}
+
 void add_choice(Graph& graph, const TraceChoice& choice, Demands& demands) {
-  demands.required.push_back(
-      graph.implication(choice.guard, in_support(graph, choice.domain, choice.parameters, choice.variable)));
+  if (!has_fixed_values(graph, choice))
+    demands.required.push_back(graph.implication(
+        choice.guard, in_support(graph, choice.domain, choice.parameters, choice.variable)));
   const NodeId density = log_density(graph, choice.domain, choice.parameters, choice.variable);
   demands.terms.push_back(guarded(graph, choice.guard, density));
 }

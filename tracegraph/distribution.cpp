@@ -105,4 +105,22 @@ double Distribution::log_density(TypedScalar value) const {
   return kImpossible;
 }
 
+double Distribution::log_density_difference(TypedScalar value, TypedScalar other) const {
+  const double x = value.as_float(), y = other.as_float();
+  switch (family) {
+    case Family::kUniform:
+      return 0;
+    case Family::kNormal: {
+      const double of_x = (x - a) / b, of_y = (y - a) / b;
+      return 0.5 * (of_y * of_y - of_x * of_x);
+    }
+    case Family::kNormalSharp:
+      return 0.5 * b * ((y - a) * (y - a) - (x - a) * (x - a));
+    case Family::kExponential:
+      return a * (y - x);
+    default:
+      return log_density(value) - log_density(other);
+  }
+}
+
 }  // namespace solitaire

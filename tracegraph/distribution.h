@@ -97,6 +97,9 @@ struct Distribution {
   /// value that cannot occur.
   double log_density(TypedScalar value) const;
 
+  /// That of one value less that of another, both of which can occur, without what they have in common.
+  double log_density_difference(TypedScalar value, TypedScalar other) const;
+
   friend bool operator==(const Distribution&, const Distribution&) = default;
 };
 

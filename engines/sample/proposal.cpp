@@ -17,6 +17,7 @@ constexpr double kWantedAcceptance = 0.44;
 
 /// Half of the steps go anywhere, and half close by: the first leave a mode, the second explore it.
 Proposal Proposer::propose(AddressId address, const Distribution& distribution, TypedScalar value) {
+  if (distribution.family == Family::kFlip) return {TypedScalar::of(value.as_int() == 0), 0, Move::kOther};
   const bool has_near =
       !distribution.is_finite() || (distribution.family == Family::kRange && distribution.size() > 4);
   if (!has_near || stream_.below(2) == 0) return anywhere(distribution, value);
@@ -31,7 +32,7 @@ Proposal Proposer::anywhere(const Distribution& distribution, TypedScalar value)
 
 Proposal Proposer::from_prior(const Distribution& distribution, TypedScalar value) {
   const TypedScalar proposed = distribution.sample(stream_);
-  return {proposed, distribution.log_density(value) - distribution.log_density(proposed), Move::kPrior};
+  return {proposed, distribution.log_density_difference(value, proposed), Move::kPrior};
 }
 
 Proposal Proposer::other(const Distribution& distribution, TypedScalar value) {

@@ -71,6 +71,26 @@ TEST_CASE("densities as nodes are those of the distributions") {
   }
 }
 
+TEST_CASE("differences of log densities leave out what both have alone") {
+  const Distribution all[] = {
+      Distribution::uniform(-1, 3),
+      Distribution::normal(0.5, 2),
+      Distribution::of_floats(Family::kNormalSharp, 0.5, 3),
+      Distribution::of_floats(Family::kExponential, 2),
+      Distribution::of_floats(Family::kGamma, 2.5, 3),
+      Distribution::of_floats(Family::kBeta, 2, 0.5),
+  };
+  for (const Distribution& each : all) {
+    const TypedScalar x = TypedScalar::of(0.2), y = TypedScalar::of(0.9);
+    const double expected = each.log_density(x) - each.log_density(y);
+    CHECK(each.log_density_difference(x, y) == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(each.log_density_difference(y, x) == doctest::Approx(-expected).epsilon(1e-12));
+  }
+  const Distribution counts = Distribution::of_counts(Family::kPoisson, 3);
+  const TypedScalar few = TypedScalar::of(std::int64_t{1}), many = TypedScalar::of(std::int64_t{4});
+  CHECK(counts.log_density_difference(few, many) == counts.log_density(few) - counts.log_density(many));
+}
+
 TEST_CASE("densities as nodes overflow where those of the distributions do") {
   for (const double x : {1e150, 1e160, 1e300}) {
     Unknowns unknowns;
