@@ -51,9 +51,18 @@ void Assignment::evaluate(NodeId node) {
       [this](NodeId at) { compute(at); });
 }
 
+void Assignment::cover_users() {
+  if (users_.groups() == graph_.size()) return;
+  users_ = {graph_.size(), [this](const auto& put) {
+              for (std::uint32_t at = 0; at < graph_.size(); ++at) {
+                for (const NodeId operand : graph_.node({at}).args()) put(operand.index, NodeId{at});
+              }
+            }};
+}
+
 void Assignment::take_changes() {
   cover_graph();
-  if (!users_ || users_->size() != graph_.size()) users_.emplace(graph_);
+  cover_users();
   for (std::size_t number = 0; number < graph_.variables().size(); ++number) {
     const NodeId variable = graph_.variable_node(number);
     if (state(variable) == State::kKnown && value_of_(number).i != values_[variable.index].i)
@@ -70,7 +79,7 @@ void Assignment::forget(NodeId node) {
     pending_.pop_back();
     if (state(at) == State::kUnknown) continue;
     states_[at.index] = State::kUnknown;
-    const std::span<const NodeId> users = users_->of(at);
+    const std::span<const NodeId> users = users_.of(at.index);
     pending_.insert(pending_.end(), users.begin(), users.end());
   }
 }

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "base/grouped_table.h"
 #include "tracegraph/graph.h"
-#include "tracegraph/users.h"
 
 namespace solitaire {
 
@@ -33,6 +33,7 @@ class Assignment {
   enum class State : std::uint8_t { kUnknown, kKnown, kUndefined };
   /// Makes room for all nodes that the graph has by now.
   void cover_graph();
+  void cover_users();
   void evaluate(NodeId node);
   void compute(NodeId node);
   void forget(NodeId node);
@@ -42,7 +43,7 @@ class Assignment {
   std::function<Scalar(std::size_t)> value_of_;
   std::vector<State> states_;
   std::vector<Scalar> values_;
-  std::optional<Users> users_;   // once values have changed
+  GroupedTable<NodeId> users_;   // by node: those that have it as an operand; empty before values change
   std::vector<NodeId> pending_;  // while something is forgotten
 };
 

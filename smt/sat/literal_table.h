@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <span>
 
-#include "smt/sat/grouped_table.h"
+#include "base/grouped_table.h"
 
 namespace solitaire {
 

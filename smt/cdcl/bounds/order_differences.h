@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "base/grouped_table.h"
 #include "smt/cdcl/bounds/order_chains.h"
 #include "smt/cdcl/trail.h"
 #include "smt/sat/cnf.h"
-#include "smt/sat/grouped_table.h"
 #include "smt/sat/literal_table.h"
 
 namespace solitaire {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/grouped_table.h"
 #include "smt/cdcl/bounds/order_chains.h"
 #include "smt/cdcl/trail.h"
 #include "smt/sat/cnf.h"
-#include "smt/sat/grouped_table.h"
 #include "smt/sat/literal_table.h"
 
 namespace solitaire {

@@ -23,6 +23,8 @@ class GroupedTable {
     each([&](std::size_t group, const Entry& entry) { entries_[starts_[group + 1]++] = entry; });
   }
 
+  /// Returns how many groups it was made for.
+  std::size_t groups() const { return groups_; }
   /// Returns the entries of a group; none for a group that the table was not made for.
   std::span<const Entry> of(std::size_t group) const {
     if (group >= groups_) return {};
