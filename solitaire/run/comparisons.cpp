@@ -31,9 +31,7 @@ std::optional<std::int64_t> int_of(double number) {
 
 Value Comparisons::compare(BinaryOp op, const Value& a, const Value& b, Span span) {
   if (a.as_union() != nullptr || b.as_union() != nullptr) {
-    return each_shape(a, [&](const Value& x) {
-      return each_shape(b, [&](const Value& y) { return compare(op, x, y, span); });
-    });
+    return each_shape(a, b, [&](const Value& x, const Value& y) { return compare(op, x, y, span); });
   }
   if (!a.is_number() || !b.is_number()) {
     program_error(span, fmt::format("'{}' compares numbers, here are {} and {}", meaning_of(op).symbol,
@@ -65,9 +63,7 @@ Value Comparisons::int_above(const Value& a, double b, bool strict, Span span) {
 Value Comparisons::equal(const Value& a, const Value& b, Span span) {
   if ((has_parts(a) || has_parts(b)) && is_text(a) && is_text(b)) return equal_texts(a, b);
   if (a.as_union() == nullptr && b.as_union() == nullptr) return equal_shaped(a, b, span);
-  return each_shape(a, [&](const Value& x) {
-    return each_shape(b, [&](const Value& y) { return equal_shaped(x, y, span); });
-  });
+  return each_shape(a, b, [&](const Value& x, const Value& y) { return equal_shaped(x, y, span); });
 }
 
 /// Two strings of parts are compared part by part if these have the same sizes; else one is written out.

@@ -59,7 +59,14 @@ class Control : public PathEnds {
       return one.has_one_shape() ? f(one) : each_alternative(written_out(one), f);
     });
   }
-  /// The same, where strings of parts and lists of chosen length stay what they are.
+  /// f of two values, for each pair of their shapes.
+  template <class Function>
+  Value each_shape(const Value& a, const Value& b, Function f) {
+    return each_shape(a,
+                      [&](const Value& x) { return each_shape(b, [&](const Value& y) { return f(x, y); }); });
+  }
+  /// f of each alternative of a value, merged. Strings of parts and lists of chosen length stay what they
+  /// are.
   template <class Function>
   Value each_alternative(const Value& value, Function f) {
     if (value.as_union() == nullptr) return f(value);

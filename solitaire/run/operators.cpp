@@ -49,9 +49,7 @@ Value Operators::arithmetic(BinaryOp op, const Value& a, const Value& b, Span sp
   if (a.has_type(Type::kInt) && b.has_type(Type::kInt)) return int_arithmetic(op, a, b, span);
   if (op == BinaryOp::kAdd && is_text(a) && is_text(b)) return joined(a, b, span);
   if (a.as_union() == nullptr && b.as_union() == nullptr) return arithmetic_shaped(op, a, b, span);
-  return each_shape(a, [&](const Value& x) {
-    return each_shape(b, [&](const Value& y) { return arithmetic_shaped(op, x, y, span); });
-  });
+  return each_shape(a, b, [&](const Value& x, const Value& y) { return arithmetic_shaped(op, x, y, span); });
 }
 
 Value Operators::arithmetic_shaped(BinaryOp op, const Value& a, const Value& b, Span span) {
@@ -128,9 +126,7 @@ Value Operators::negated(const Value& value, Span span) {
 
 Value Operators::pick(Op int_op, const Value& a, const Value& b, Span span) {
   if (a.as_union() != nullptr || b.as_union() != nullptr) {
-    return each_shape(a, [&](const Value& x) {
-      return each_shape(b, [&](const Value& y) { return pick(int_op, x, y, span); });
-    });
+    return each_shape(a, b, [&](const Value& x, const Value& y) { return pick(int_op, x, y, span); });
   }
   if (!a.is_number() || !b.is_number()) {
     program_error(span, fmt::format("'{}' needs numbers, here is {}", operation(int_op).name,
