@@ -55,6 +55,26 @@ Program load_model(const std::string& model) {
   return load_example((is_example ? "sampling/" : "../bench/sampling/layouts/") + model + ".sol");
 }
 
+/// A model at the state from which a chain begins.
+struct Started {
+  Started(const std::string& model, std::uint64_t seed)
+      : program(load_model(model)), stream(seed, Purpose::kSample, 1), rerun(program, params, {}, stream) {
+    state = rerun.start();
+    rerun.stand_at(state);
+    for (const MetChoice& choice : state.choices) values.push_back(choice.value.scalar());
+  }
+  TracedStructure traced() {
+    return trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
+  }
+
+  const Program program;
+  const ParamValues params;
+  RandomStream stream;
+  Rerun rerun;
+  SampledState state;
+  std::vector<Scalar> values;  // of the choices
+};
+
 struct Prepared {
   ChoiceNumber choice;
   Proposal proposal;
@@ -80,27 +100,28 @@ double mean_slice(const Kernel& kernel, const std::vector<Prepared>& made) {
   return sum / static_cast<double>(made.size());
 }
 
+void compile_slices(const Kernel& kernel) {
+  const ScoreProgram& program = kernel.program();
+  const auto shared_end = static_cast<Cell>(program.cells.size());
+  Compiler compiler;
+  for (ChoiceNumber i = 0; i < program.choices.size(); ++i)
+    compiler.compile(kernel.slice(i).code, shared_end);
+}
+
 void measure(const std::string& model, double time) {
-  const Program program = load_model(model);
-  const ParamValues params;
-  RandomStream stream(1, Purpose::kSample, 1);
-  Rerun rerun(program, params, {}, stream);
-  const SampledState state = rerun.start();
-  rerun.stand_at(state);
+  Started started(model, 1);
   const double before = seconds();
-  TracedStructure structure =
-      trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
+  TracedStructure structure = started.traced();
   const double traced = seconds() - before;
-  structure.load(state);
+  structure.load(started.state);
   Kernel interpreted(structure.kernel.program(), false);
-  std::vector<Scalar> values;
-  for (const MetChoice& choice : state.choices) values.push_back(choice.value.scalar());
+  std::vector<Scalar> values = started.values;
   interpreted.load(values);
-  const std::vector<Prepared> made = proposals(interpreted, state, stream);
+  const std::vector<Prepared> made = proposals(interpreted, started.state, started.stream);
 
   SampledState proposed;
   const double by_running =
-      rate(time, [&](std::size_t i) { rerun.propose(made[i].choice, made[i].proposal, proposed); });
+      rate(time, [&](std::size_t i) { started.rerun.propose(made[i].choice, made[i].proposal, proposed); });
   const double by_trace = rate(time, [&](std::size_t i) {
     const Scalar kept = values[made[i].choice];
     values[made[i].choice] = made[i].proposal.value.scalar();
@@ -115,11 +136,8 @@ void measure(const std::string& model, double time) {
   const double by_machine = by_slice(interpreted);
   by_slice(structure.kernel);  // until all slices are compiled
   const double by_code = by_slice(structure.kernel);
-  const auto shared_end = static_cast<Cell>(interpreted.program().cells.size());
-  Compiler compiler;
   const double before_code = seconds();
-  for (ChoiceNumber i = 0; i < state.choices.size(); ++i)
-    compiler.compile(interpreted.slice(i).code, shared_end);
+  compile_slices(interpreted);
   const double compiled = seconds() - before_code;
   const double statements = static_cast<double>(interpreted.program().code.size());
   const double slice = mean_slice(interpreted, made);
@@ -131,17 +149,10 @@ void measure(const std::string& model, double time) {
 
 /// How many steps a Metropolis chain on one path makes in a second.
 double metropolis_rate(const std::string& model, double time, std::uint64_t seed, bool compiled) {
-  const Program program = load_model(model);
-  const ParamValues params;
-  RandomStream stream(seed, Purpose::kSample, 1);
-  Rerun rerun(program, params, {}, stream);
-  const SampledState state = rerun.start();
-  TracedStructure structure =
-      trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
-  Kernel kernel(structure.kernel.program(), compiled);
-  std::vector<Scalar> values;
-  for (const MetChoice& choice : state.choices) values.push_back(choice.value.scalar());
-  kernel.load(values);
+  Started started(model, seed);
+  Kernel kernel(started.traced().kernel.program(), compiled);
+  kernel.load(started.values);
+  RandomStream& stream = started.stream;
   Proposer proposer(stream);
   const auto step = [&](std::size_t) {
     const ChoiceNumber choice = stream.pick(static_cast<std::uint32_t>(kernel.program().choices.size()));
@@ -172,30 +183,18 @@ double least_seconds(Work work) {
 }
 
 void print_costs(const std::string& model) {
-  const Program program = load_model(model);
-  const ParamValues params;
-  RandomStream stream(1, Purpose::kSample, 1);
-  Rerun rerun(program, params, {}, stream);
-  const SampledState state = rerun.start();
-  rerun.stand_at(state);
-  const auto trace = [&] {
-    return trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
-  };
-  const TracedStructure structure = trace();
+  Started started(model, 1);
+  const TracedStructure structure = started.traced();
   const Kernel& kernel = structure.kernel;
   std::size_t operations = 0;
-  for (ChoiceNumber i = 0; i < state.choices.size(); ++i) operations += kernel.slice(i).code.size();
-  const auto shared_end = static_cast<Cell>(kernel.program().cells.size());
-  const double compiled = least_seconds([&] {
-    Compiler compiler;
-    for (ChoiceNumber i = 0; i < state.choices.size(); ++i)
-      compiler.compile(kernel.slice(i).code, shared_end);
-  });
-  const std::vector<Prepared> made = proposals(kernel, state, stream);
+  for (ChoiceNumber i = 0; i < started.state.choices.size(); ++i) operations += kernel.slice(i).code.size();
+  const double compiled = least_seconds([&] { compile_slices(kernel); });
+  const std::vector<Prepared> made = proposals(kernel, started.state, started.stream);
   SampledState proposed;
   const double runs =
-      rate(0.2, [&](std::size_t i) { rerun.propose(made[i].choice, made[i].proposal, proposed); });
-  std::printf("%.1f %.3f\n", least_seconds(trace) * runs, 1e6 * compiled / static_cast<double>(operations));
+      rate(0.2, [&](std::size_t i) { started.rerun.propose(made[i].choice, made[i].proposal, proposed); });
+  const double traced = least_seconds([&] { return started.traced(); });
+  std::printf("%.1f %.3f\n", traced * runs, 1e6 * compiled / static_cast<double>(operations));
 }
 
 }  // namespace
