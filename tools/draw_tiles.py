@@ -253,7 +253,7 @@ def facade():
 
 # ---- a gilded picture frame
 
-GOLD, WALL, CANVAS = (206, 162, 74), (92, 108, 98), (238, 230, 210)
+GOLD, WALL, TAPESTRY = (206, 162, 74), (92, 108, 98), (38, 66, 62)
 
 
 def moulding():
@@ -303,11 +303,52 @@ def rosette(radius=6.5):
     return icon.disc(8, 8, 2.2, (150, 60, 48)).disc(7.5, 7.4, 0.9, (220, 130, 110))
 
 
+def tapestry():
+    """The woven ground of the picture, with blades of grass."""
+    icon = Icon(TAPESTRY)
+    for y in range(SIDE):
+        for x in range(y % 2, SIDE, 2):
+            icon.dot(x, y, shade(TAPESTRY, 0.92))
+    for x, y in ((2, 3), (10, 1), (13, 9), (6, 12)):
+        icon.box(x, y, x, y + 2, shade(TAPESTRY, 1.35)).dot(x + 1, y - 1, shade(TAPESTRY, 1.35))
+    return icon
+
+
+def sprig(petals, heart):
+    """A flower with its stalk and two leaves."""
+    green = (104, 148, 84)
+    icon = tapestry().box(8, 8, 8, 14, shade(green, 0.8))
+    for x, y in ((6, 11), (5, 10), (4, 10), (10, 12), (11, 11), (12, 11)):
+        icon.box(x, y, x + 1, y + 1, green)
+    for cx, cy in ((8.5, 2.6), (12, 5.2), (10.6, 8.8), (6.4, 8.8), (5, 5.2)):
+        icon.disc(cx, cy, 2.3, petals).disc(cx - 0.4, cy - 0.5, 1.0, shade(petals, 1.25))
+    return icon.disc(8.5, 6, 1.8, heart)
+
+
+def bells():
+    """Three blue bells at one stalk."""
+    green, blue = (104, 148, 84), (116, 142, 206)
+    icon = tapestry().box(8, 3, 8, 14, green).box(5, 3, 8, 3, green).box(8, 6, 11, 6, green).box(5, 9, 8, 9, green)
+    for x, y in ((4, 4), (10, 7), (4, 10)):
+        icon.box(x, y, x + 2, y + 2, blue).box(x, y, x, y + 2, shade(blue, 1.2))
+        icon.dot(x - 1, y + 3, shade(blue, 0.85)).dot(x + 1, y + 3, shade(blue, 0.85)).dot(x + 3, y + 3, shade(blue, 0.85))
+    return icon
+
+
+def hare():
+    """A hare that sits and looks to the right."""
+    fur = (208, 184, 148)
+    icon = tapestry().disc(6.5, 10.5, 4.2, shade(fur, 0.75)).disc(6.8, 10.2, 3.8, fur).disc(11, 7, 2.7, fur)
+    icon.box(9, 1, 9, 5, fur).box(11, 1, 11, 5, shade(fur, 0.85)).disc(2.8, 12, 1.5, (238, 230, 214))
+    icon.box(9, 12, 12, 13, shade(fur, 0.85)).box(4, 14, 9, 14, shade(fur, 0.65))
+    return icon.dot(12, 6, (40, 30, 30)).dot(13, 8, (150, 90, 80))
+
+
 def inner():
-    icon = Icon(CANVAS)
+    icon = tapestry()
     for y in range(0, 7):
         icon.box(0, y, 15, y, shade(GOLD, (1.2, 1.05, 0.9, 0.8, 1.0, 1.22, 0.55)[y]))
-    return icon.box(0, 7, 15, 8, shade(CANVAS, 0.86))
+    return icon.box(0, 7, 15, 8, shade(TAPESTRY, 0.7))
 
 
 def inner_corner():
@@ -332,7 +373,9 @@ def frame():
     up = leaf().flipped(diagonal=True)
     return (four_corners(outer_corner()) + four_sides(moulding()) + [rosette(7.5), bead(), bead()] +
             [leaf(), leaf().flipped(across=True), rosette(), up, up.flipped(down=True), rosette()] +
-            four_corners(inner_corner()) + four_sides(inner()) + [Icon(CANVAS)])
+            four_corners(inner_corner()) + four_sides(inner()) +
+            [tapestry(), sprig((206, 84, 84), (240, 206, 110)), sprig((232, 222, 200), (226, 170, 60)),
+             sprig((226, 160, 170), (150, 60, 70)), bells(), hare(), hare().flipped(across=True)])
 
 
 # ---- a level of platforms

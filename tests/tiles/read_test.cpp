@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <filesystem>
 #include <fstream>
@@ -68,6 +69,30 @@ TEST_CASE("a map becomes a picture and is read back") {
   CHECK(again.tiles == map.tiles);
   CHECK(error_of([&] { cut_tiles("m.png", picture, 3, cut, true); }) ==
         "m.png: a picture of 20 x 10 pixels cannot be cut into squares of 3");
+}
+
+TEST_CASE("icons, holes and plain tiles become the same pixels in few colours and in many") {
+  for (const int side : {2, 32}) {
+    CAPTURE(side);
+    Tileset tileset;
+    Grid map = read_text("m.txt", "ab\n.a\n", tileset, true);
+    Picture& icon = tileset[*tileset.find("a")].icon = Picture(side, side);
+    for (int y = 0; y < side; ++y) {  // 1024 colours where it is large
+      for (int x = 0; x < side; ++x)
+        icon.at(x, y) = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 7, 255};
+    }
+    std::ranges::replace(map.tiles, *tileset.find("."), kHole);
+    const Picture picture = read_png("m.png", write_png(map, tileset, 1));
+    REQUIRE(picture.width == 2 * side);
+    CHECK(picture.at(side, 0) == tileset[*tileset.find("b")].color);
+    CHECK(picture.at(side - 1, 2 * side - 1)[3] == 0);
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        CHECK(picture.at(x, y) == icon.at(x, y));
+        CHECK(picture.at(side + x, side + y) == icon.at(x, y));
+      }
+    }
+  }
 }
 
 TEST_CASE("transparent squares of a picture are holes") {
