@@ -80,12 +80,12 @@ constexpr std::size_t kFirstLookForFew = 256;
 constexpr std::size_t kLookForFewGrowth = 8;
 constexpr std::size_t kFewSolutions = 8;
 constexpr std::size_t kMostCombinations = 8;
-/// A solution of one block that is nearer than this to one of another (the second where they are to be far
-/// apart) is put aside, up to so many times in a row, among so many solutions that come first.
-/// docs/engine.md, "Random values", has what that does.
+/// A solution that is nearer than this to another one (the second where they are to be far apart) is put
+/// aside, as long as no more than so many are, among so many solutions that come first. docs/engine.md,
+/// "Random values", has what that does.
 constexpr double kNearSolutions = 0.3;
 constexpr double kNearFarApart = 0.6;
-constexpr unsigned kFurtherSearches = 3;
+constexpr std::size_t kMostAside = 16;
 constexpr std::size_t kKeptApart = 64;
 /// Nodes that the search for symmetries looks at in all: some seconds of work.
 constexpr std::size_t kMostNodesForSymmetry = 20'000'000;

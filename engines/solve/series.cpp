@@ -28,7 +28,7 @@ Series::Series(const Program& program, ParamValues params, const TracingOptions&
       params_(std::move(params)),
       tracing_(tracing),
       options_(std::move(options)),
-      distance_(tracing.far_apart ? tuning::kNearFarApart : tuning::kNearSolutions),
+      distance_(tracing.far_apart ? tuning::kNearFarApart : tuning::kNearSolutions, tuning::kMostAside),
       results_(options_.apart) {
   tracing_.one_of_alike = options_.apart != Apart::kChoices;
   tracing_.apart = options_.apart;
@@ -160,15 +160,15 @@ std::vector<Solution> Series::resume(const std::vector<ChosenValues>& earlier) {
       run_all(earlier, [this](const ChosenValues& choices) { return engine_->run(choices); });
   Block block{0, 0, size(0, 0)};
   while (block.end <= earlier.size()) {
+    for (std::size_t i = block.start; i < block.end; ++i) remember(known[i]);
     const Block before = std::exchange(block, block_after(block));
+    distance_.start_block();
     lists_rest(before, block);
   }
-  for (std::size_t i = 0; i < block.start; ++i) remember(known[i]);
   to_repeat_.assign(earlier.begin() + static_cast<std::ptrdiff_t>(block.start), earlier.end());
   if (block.number == 0) return known;
   searches_.clear();
   block_ = block;
-  distance_.start_block();
   if (in_background()) {
     start_searches();
   } else if (manner_ != Manner::kRest) {

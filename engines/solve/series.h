@@ -11,7 +11,7 @@
 #include "engines/distinct.h"
 #include "engines/solution_stream.h"
 #include "engines/solve/background_search.h"
-#include "engines/solve/block_distance.h"
+#include "engines/solve/series_distance.h"
 #include "tracegraph/valuation.h"
 
 namespace solitaire {
@@ -97,7 +97,7 @@ class Series : public SolutionStream,
   EngineTimes past_times_;  // what finished engines and searches took
   std::function<void(const Solution&)> told_;
   Block block_;
-  BlockDistance distance_;
+  SeriesDistance distance_;
   std::vector<Valuation> rest_;  // with Manner::kRest, what is still to come, and some that came already
   DistinctResults results_;
   std::unordered_set<std::string> choices_;  // of all solutions so far, where they may come again
