@@ -29,23 +29,6 @@ inline bool floor_into(double value, Scalar* result) {
   return exact;
 }
 
-/// Of an operation on one float that is called.
-using FloatFunction = double (*)(double);
-inline FloatFunction function_of(Op op) {
-  switch (op) {
-    case Op::kExp:
-      return std::exp;
-    case Op::kLog:
-      return std::log;
-    case Op::kLgamma:
-      return log_gamma;
-    case Op::kSin:
-      return std::sin;
-    default:
-      return std::cos;
-  }
-}
-
 /// Returns true if the operation is none of the processor.
 inline bool is_called(Op op) {
   switch (op) {

@@ -222,11 +222,15 @@ class CodeWriter : public Xbyak::CodeGenerator {
 
   // ---- ints and bools, which stand in their cells alone
 
-  /// `instruction` works on rax and that operand.
-  template <class Apply>
-  void combine(Cell result, Cell a, Cell b, Apply instruction) {
+  using OnInts = void (CodeGenerator::*)(const Xbyak::Operand&, const Xbyak::Operand&);
+  void combine(OnInts instruction, Cell result, Cell a, Cell b) {
     mov(rax, at(a));
-    instruction(at(b));
+    (this->*instruction)(rax, at(b));
+    mov(at(result), rax);
+  }
+  void multiply(Cell result, Cell a, Cell b) {
+    mov(rax, at(a));
+    imul(rax, at(b));
     mov(at(result), rax);
   }
   void compare_ints(OnFlags set, Cell result, Cell a, Cell b) {
@@ -291,96 +295,63 @@ class CodeWriter : public Xbyak::CodeGenerator {
     and_(r12d, eax);
   }
 
+  // How an operation is written, of a result r and the operands a, b and c: a line for each.
+  // clang-format off
+#define SOLITAIRE_WRITES(operation, writing) case Op::operation: return writing;
+
   void write(const Instruction& step) {
     const Cell r = step.result;
     const auto [a, b, c] = step.operands;
     switch (step.op) {
-      case Op::kConstBool:
-      case Op::kConstInt:
-      case Op::kConstFloat:
-      case Op::kConstTable:
-      case Op::kChoice:
-      case Op::kChoiceFloat:
-      case Op::kCount_:
-        return;
-      case Op::kNot:
-        return invert(r, a);
-      case Op::kAnd:
-        return combine(r, a, b, [&](const Xbyak::Address& x) { and_(rax, x); });
-      case Op::kOr:
-        return combine(r, a, b, [&](const Xbyak::Address& x) { or_(rax, x); });
-      case Op::kAdd:
-        return combine(r, a, b, [&](const Xbyak::Address& x) { add(rax, x); });
-      case Op::kSub:
-        return combine(r, a, b, [&](const Xbyak::Address& x) { sub(rax, x); });
-      case Op::kMul:
-        return combine(r, a, b, [&](const Xbyak::Address& x) { imul(rax, x); });
-      case Op::kEqBool:
-      case Op::kEqInt:
-        return compare_ints(&CodeGenerator::sete, r, a, b);
-      case Op::kLtInt:
-        return compare_ints(&CodeGenerator::setl, r, a, b);
-      case Op::kLeInt:
-        return compare_ints(&CodeGenerator::setle, r, a, b);
-      case Op::kIteBool:
-      case Op::kIteInt:
-        return select_int(r, a, b, c);
-      case Op::kIteFloat:
-        return select_float(r, a, b, c);
-      case Op::kDiv:
-        return call_of_ints(quotient_of, r, a, b);
-      case Op::kMod:
-        return call_of_ints(rest_of, r, a, b);
-      case Op::kAllowed:
-        return look_up(r, a, b, c);
-      case Op::kNeg:
-        return negate_int(r, a);
-      case Op::kMin:
-        return select_less(&CodeGenerator::cmovl, r, a, b);
-      case Op::kMax:
-        return select_less(&CodeGenerator::cmovg, r, a, b);
-      case Op::kAbs:
-        return absolute(r, a);
-      case Op::kToFloat:
-        return to_float(r, a);
-      case Op::kFloor:
-        return floor(r, a);
-      case Op::kAddFloat:
-        return commutative(&CodeGenerator::addsd, r, a, b);
-      case Op::kSubFloat:
-        return binary(&CodeGenerator::subsd, r, a, b);
-      case Op::kMulFloat:
-        return commutative(&CodeGenerator::mulsd, r, a, b);
-      case Op::kDivFloat:
-        return binary(&CodeGenerator::divsd, r, a, b);
-      // Of equal numbers and of NaN these instructions give the second, as the machine gives the first.
-      case Op::kMinFloat:
-        return binary(&CodeGenerator::minsd, r, b, a);
-      case Op::kMaxFloat:
-        return binary(&CodeGenerator::maxsd, r, b, a);
-      case Op::kNegFloat:
-        return negate(r, a);
-      case Op::kSqrt:
-        return binary(&CodeGenerator::sqrtsd, r, a, a);
-      case Op::kExp:
-      case Op::kLog:
-      case Op::kLgamma:
-      case Op::kSin:
-      case Op::kCos:
-        return call_of_one(function_of(step.op), r, a);
-      case Op::kPow:
-        return call_of_two(std::pow, r, a, b);
-      case Op::kAtan2:
-        return call_of_two(std::atan2, r, a, b);
-      case Op::kEqFloat:
-        return equal_floats(r, a, b);
+      SOLITAIRE_WRITES(kNot, invert(r, a))
+      SOLITAIRE_WRITES(kAnd, combine(&CodeGenerator::and_, r, a, b))
+      SOLITAIRE_WRITES(kOr, combine(&CodeGenerator::or_, r, a, b))
+      SOLITAIRE_WRITES(kEqBool, compare_ints(&CodeGenerator::sete, r, a, b))
+      SOLITAIRE_WRITES(kEqInt, compare_ints(&CodeGenerator::sete, r, a, b))
+      SOLITAIRE_WRITES(kLtInt, compare_ints(&CodeGenerator::setl, r, a, b))
+      SOLITAIRE_WRITES(kLeInt, compare_ints(&CodeGenerator::setle, r, a, b))
+      SOLITAIRE_WRITES(kAllowed, look_up(r, a, b, c))
+      SOLITAIRE_WRITES(kEqFloat, equal_floats(r, a, b))
       // The other way round, for the flags of "above" do not hold with NaN.
-      case Op::kLtFloat:
-        return compare_floats(&CodeGenerator::seta, r, b, a);
-      case Op::kLeFloat:
-        return compare_floats(&CodeGenerator::setae, r, b, a);
+      SOLITAIRE_WRITES(kLtFloat, compare_floats(&CodeGenerator::seta, r, b, a))
+      SOLITAIRE_WRITES(kLeFloat, compare_floats(&CodeGenerator::setae, r, b, a))
+      SOLITAIRE_WRITES(kIteBool, select_int(r, a, b, c))
+      SOLITAIRE_WRITES(kIteInt, select_int(r, a, b, c))
+      SOLITAIRE_WRITES(kIteFloat, select_float(r, a, b, c))
+      SOLITAIRE_WRITES(kAdd, combine(&CodeGenerator::add, r, a, b))
+      SOLITAIRE_WRITES(kSub, combine(&CodeGenerator::sub, r, a, b))
+      SOLITAIRE_WRITES(kMul, multiply(r, a, b))
+      SOLITAIRE_WRITES(kDiv, call_of_ints(quotient_of, r, a, b))
+      SOLITAIRE_WRITES(kMod, call_of_ints(rest_of, r, a, b))
+      SOLITAIRE_WRITES(kNeg, negate_int(r, a))
+      SOLITAIRE_WRITES(kMin, select_less(&CodeGenerator::cmovl, r, a, b))
+      SOLITAIRE_WRITES(kMax, select_less(&CodeGenerator::cmovg, r, a, b))
+      SOLITAIRE_WRITES(kAbs, absolute(r, a))
+      SOLITAIRE_WRITES(kToFloat, to_float(r, a))
+      SOLITAIRE_WRITES(kFloor, floor(r, a))
+      SOLITAIRE_WRITES(kAddFloat, commutative(&CodeGenerator::addsd, r, a, b))
+      SOLITAIRE_WRITES(kSubFloat, binary(&CodeGenerator::subsd, r, a, b))
+      SOLITAIRE_WRITES(kMulFloat, commutative(&CodeGenerator::mulsd, r, a, b))
+      SOLITAIRE_WRITES(kDivFloat, binary(&CodeGenerator::divsd, r, a, b))
+      // Of equal numbers and of NaN these instructions give the second, as the machine gives the first.
+      SOLITAIRE_WRITES(kMinFloat, binary(&CodeGenerator::minsd, r, b, a))
+      SOLITAIRE_WRITES(kMaxFloat, binary(&CodeGenerator::maxsd, r, b, a))
+      SOLITAIRE_WRITES(kNegFloat, negate(r, a))
+      SOLITAIRE_WRITES(kSqrt, binary(&CodeGenerator::sqrtsd, r, a, a))
+      SOLITAIRE_WRITES(kExp, call_of_one(std::exp, r, a))
+      SOLITAIRE_WRITES(kLog, call_of_one(std::log, r, a))
+      SOLITAIRE_WRITES(kPow, call_of_two(std::pow, r, a, b))
+      SOLITAIRE_WRITES(kLgamma, call_of_one(log_gamma, r, a))
+      SOLITAIRE_WRITES(kSin, call_of_one(std::sin, r, a))
+      SOLITAIRE_WRITES(kCos, call_of_one(std::cos, r, a))
+      SOLITAIRE_WRITES(kAtan2, call_of_two(std::atan2, r, a, b))
+      case Op::kConstBool: case Op::kConstInt: case Op::kConstFloat: case Op::kConstTable: return;
+      case Op::kChoice: case Op::kChoiceFloat: case Op::kCount_: return;
     }
   }
+  // clang-format on
+
+#undef SOLITAIRE_WRITES
 
   bool calls_;
   Xbyak::Reg64 cells_, table_;

@@ -303,4 +303,10 @@ std::optional<KnownForm> form_of_float(Graph& graph, NodeId choice, const Distri
   return known;
 }
 
+std::optional<NodeId> slope_of_line(Graph& graph, NodeId choice, const Reach& reach) {
+  const std::optional<Sum> sum = Shapes(graph, choice, false, reach).sum_of_terms(reach);
+  if (!sum || !sum->has_only({kC}) || !sum->of[kC].is_finite()) return std::nullopt;
+  return sum->of[kC].node(graph);
+}
+
 }  // namespace solitaire

@@ -41,6 +41,10 @@ struct Reach {
 std::optional<KnownForm> form_of_float(Graph& graph, NodeId choice, const Distribution& distribution,
                                        bool fixed_parameters, const Reach& reach);
 
+/// The slope of a node along a float, if the node is a line along it: a node that does not depend on the
+/// float. The reach has the node as its only term. Adds nodes to the graph.
+std::optional<NodeId> slope_of_line(Graph& graph, NodeId choice, const Reach& reach);
+
 /// The weights of the values of a choice that has few of them; of those that conditions rule out the
 /// logarithm is minus infinity. Nothing where that would take many more operations than the trace has.
 std::optional<KnownForm> weights_of_values(Graph& graph, NodeId choice, const Distribution& distribution,

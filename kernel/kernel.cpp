@@ -12,6 +12,9 @@ namespace {
 /// After so many changes the score is computed anew: rounding lets a running sum drift, by 1e-11 in a million
 /// steps.
 constexpr std::uint64_t kRescoreEvery = std::uint64_t{1} << 20;
+/// So it is where it has become so many times smaller, as on the way from a start far away: rounding was as
+/// large as the score was.
+constexpr double kMostShrunk = 1000;
 
 /// To compile code takes as long as some hundred runs of it.
 constexpr std::uint32_t kCompiledAfter = 300;
@@ -103,6 +106,7 @@ Kernel::Outcome Kernel::score_all() {
     return Outcome::kImpossible;
   log_score_ = program_.constant;
   for (const Cell term : program_.terms) log_score_ += cells_[term].f;
+  largest_score_ = std::abs(log_score_);
   const Outcome outcome = outcome_of(log_score_);
   return log_score_ == HUGE_VAL ? Outcome::kLeavesTrace : outcome;  // a run says where
 }
@@ -186,7 +190,13 @@ void Kernel::accept() {
   proposed_bits_.reset();
   if (proposed_ == program_.choices.size()) underived_ = true;
   if (!underived_) run_code(upkeep_.accepted[proposed_], compiled_accepted_[proposed_]);
-  if (++accepted_ % kRescoreEvery == 0) follow([this](ChoiceNumber choice) { return value(choice); });
+  if (has_drifted()) follow([this](ChoiceNumber choice) { return value(choice); });
+}
+
+bool Kernel::has_drifted() {
+  const double size = std::abs(log_score_);
+  largest_score_ = std::max(largest_score_, size);
+  return ++accepted_ % kRescoreEvery == 0 || largest_score_ > kMostShrunk * (1 + size);
 }
 
 std::span<const double> Kernel::numbers(ChoiceNumber choice) {
@@ -223,6 +233,41 @@ bool Kernel::change(ChoiceNumber choice, Scalar value) {
   cells_[at.cell] = value;
   const bool made = run_code(upkeep_.changes[choice], compiled_changes_[choice]);
   return made && std::all_of(at.required.begin(), at.required.end(), [&](Cell cell) { return holds(cell); });
+}
+
+std::span<const double> Kernel::block_numbers() {
+  if (underived_) derive();
+  run_code(upkeep_.block_form, compiled_block_form_);
+  const ScoreProgram::Block& block = program_.block;
+  const auto number_of = [&](std::size_t i, std::size_t number) {
+    return cells_[program_.choices[block.choices[i]].numbers[number]].f;
+  };
+  numbers_.clear();
+  auto mixed = block.mixed.begin();
+  for (std::size_t i = 0; i < block.choices.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) numbers_.push_back(-cells_[*mixed++].f);
+    numbers_.push_back(-2 * number_of(i, 1));
+  }
+  for (std::size_t i = 0; i < block.choices.size(); ++i)
+    numbers_.push_back(number_of(i, 0) + 2 * number_of(i, 1) * value(block.choices[i]).f);
+  return numbers_;
+}
+
+bool Kernel::set_block(std::span<const double> values) {
+  if (underived_) derive();
+  std::vector<double> before;
+  for (const ChoiceNumber each : program_.block.choices) before.push_back(value(each).f);
+  proposed_bits_.reset();
+  stale_ = true;
+  if (change_block(values)) return true;
+  change_block(before);
+  return false;
+}
+
+bool Kernel::change_block(std::span<const double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    cells_[program_.choices[program_.block.choices[i]].cell] = Scalar::of(values[i]);
+  return run_code(upkeep_.block_change, compiled_block_change_);
 }
 
 void Kernel::refresh() {

@@ -25,7 +25,8 @@ using ChoiceNumber = std::size_t;
 /// density when one of them changes.
 ///
 /// Where the form of the density along a choice is known, its numbers() say how to draw a value, and set()
-/// takes it over. Neither computes a density: what only a density needs is left behind until refresh(). All
+/// takes it over. So do block_numbers() and set_block() for floats whose form is known together. None of them
+/// computes a density: what only a density needs is left behind until refresh(). All
 /// functions that need it say so, but for proposals, which see to it themselves.
 class Kernel {
  public:
@@ -80,7 +81,12 @@ class Kernel {
   /// Gives a choice whose form is known another value, unless that breaks a condition; then it returns false
   /// and changes nothing. A value of a form with weights is one whose weight is finite.
   bool set(ChoiceNumber choice, Scalar value);
-  /// Computes what set() has left behind.
+  /// How the density's logarithm is curved along the floats of the program's block: the second derivatives,
+  /// whose signs are turned, row by row up to the diagonal; and then its slopes at the present point.
+  std::span<const double> block_numbers();
+  /// set() of all floats of the block.
+  bool set_block(std::span<const double> values);
+  /// Computes what these have left behind.
   void refresh();
 
   /// The logarithm of the present density; needs refresh(). Differences are added up, so it is computed anew
@@ -114,7 +120,9 @@ class Kernel {
   bool holds(Cell cell) const { return cells_[cell].i != 0; }
   void differentiate();
   void derive();
+  bool has_drifted();
   bool change(ChoiceNumber choice, Scalar value);
+  bool change_block(std::span<const double> values);
   std::vector<Scalar> values() const;
   void note_infinity(std::size_t slice);
   void note_infinity(ChoiceNumber choice, Scalar value);
@@ -129,7 +137,7 @@ class Kernel {
   Compiler compiler_;
   std::vector<Compiled> compiled_stages_, compiled_slices_;
   std::vector<Compiled> compiled_forms_, compiled_changes_, compiled_accepted_;
-  Compiled compiled_all_, compiled_derived_, compiled_outputs_;
+  Compiled compiled_all_, compiled_derived_, compiled_outputs_, compiled_block_form_, compiled_block_change_;
   std::vector<Distribution> domains_;  // of the choices, as they were asked for last; those that are fixed
   std::vector<Scalar> cells_;          // the program's, and behind them room for the longest slice
 
@@ -143,6 +151,7 @@ class Kernel {
   Outcome outcome_ = Outcome::kScored;
   double difference_ = 0;
   double log_score_ = 0;
+  double largest_score_ = 0;  // in size, since it was computed anew
   std::uint64_t accepted_ = 0;
   std::uint64_t infinities_ = 0;
   std::optional<std::vector<Scalar>> infinite_;

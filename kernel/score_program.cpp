@@ -6,6 +6,7 @@
 #include "kernel/combination.h"
 #include "kernel/few.h"
 #include "kernel/known_forms.h"
+#include "kernel/normal_block.h"
 #include "tracegraph/density.h"
 
 namespace solitaire {
@@ -161,7 +162,7 @@ std::vector<NodeId> sums_of_alike(Graph& graph, const std::vector<NodeId>& terms
 }  // namespace
 
 ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const NodeId> path,
-                           std::span<const NodeId> outputs) {
+                           std::span<const NodeId> outputs, Forms wanted) {
   Demands demands = demands_of(graph, trace, path);
   ScoreProgram program;
   program.constant = take_constants(graph, demands.terms);
@@ -169,7 +170,9 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
   demands.assumed = open_conditions(std::move(demands.assumed));
   std::vector<NodeId> numbers;
   for (const double number : kSlopeNumbers) numbers.push_back(graph.constant(number));
-  const std::vector<KnownForm> forms = known_forms(graph, trace, demands);
+  std::vector<KnownForm> forms(trace.choices.size());
+  if (wanted == Forms::kFound) forms = known_forms(graph, trace, demands);
+  const NormalBlock block = normal_block(graph, trace, forms);
   demands.terms = sums_of_alike(graph, demands.terms);
   Cells cells(graph, program);
   for (const std::vector<NodeId>* needed : {&demands.terms, &demands.required, &demands.assumed})
@@ -184,7 +187,9 @@ ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const Nod
     cells.need(form.numbers);
     cells.need(form.required);
   }
+  cells.need(block.mixed);
   cells.write(program.form_code);
+  program.block = {block.choices, cells.of(block.mixed)};
   program.slope_numbers = cells.of(numbers);
   program.terms = cells.of(demands.terms);
   program.required = cells.of(demands.required);

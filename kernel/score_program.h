@@ -51,9 +51,16 @@ struct ScoreProgram {
     std::vector<Cell> required = {};  // of those that depend on the choice, those that the form leaves open
   };
 
+  /// Floats that have a normal distribution together, as in NormalBlock.
+  struct Block {
+    std::vector<std::size_t> choices;
+    std::vector<Cell> mixed;
+  };
+
   std::vector<Scalar> cells;  // constants have their values, all others wait to be set or computed
   std::vector<Type> types;    // of the cells
   std::vector<Choice> choices;
+  Block block;
   std::vector<Instruction> code;  // in the order of results; makes what the density depends on
   std::vector<Cell> terms;        // floats
   std::vector<Cell> required;     // bools
@@ -70,8 +77,10 @@ struct ScoreProgram {
 };
 
 /// Makes the program of a traced execution. `path` is what its branches followed, and `outputs` are nodes
-/// whose values are asked for. Adds nodes for densities to the graph.
+/// whose values are asked for. Where forms are left out, they count as unknown. Adds nodes for densities to
+/// the graph.
+enum class Forms : std::uint8_t { kFound, kLeftOut };
 ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const NodeId> path,
-                           std::span<const NodeId> outputs);
+                           std::span<const NodeId> outputs, Forms wanted = Forms::kFound);
 
 }  // namespace solitaire

@@ -97,7 +97,8 @@ std::vector<bool> cells_read(const ScoreProgram& program, const std::vector<Slic
   for (const Slice& slice : slices) operands_of(slice.code);
   operands_of(program.form_code);
   operands_of(program.output_code);
-  for (const Cell output : program.outputs) read[output] = true;
+  for (const auto* cells : {&program.outputs, &program.block.mixed})
+    for (const Cell cell : *cells) read[cell] = true;
   for (const ScoreProgram::Choice& choice : program.choices) {
     if (choice.cell != kNoCell) read[choice.cell] = true;
     for (const auto* cells : {&choice.parameters, &choice.numbers, &choice.required})

@@ -1,6 +1,7 @@
 #include "kernel/upkeep.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "kernel/dependents.h"
@@ -46,7 +47,8 @@ class Keeping {
     keep_what_others_read(slices);
     find_changes();
     for (std::uint32_t i = 0; i < program.choices.size(); ++i)
-      for (const Cell cell : program.choices[i].numbers) readers_[cell].add(i);
+      for (const Cell cell : program.choices[i].numbers) readers_[cell].add(drawn_with(i));
+    for (const Cell cell : program.block.mixed) readers_[cell].add(drawn_with(program.block.choices[0]));
     for (const Cell cell : program.outputs)
       readers_[cell].add(static_cast<std::uint32_t>(program.choices.size()));
     for (std::size_t i = whole.code().size(); i-- > 0;) decide(whole.code()[i]);
@@ -69,9 +71,16 @@ class Keeping {
   void find_changes() {
     changes_.resize(program_.cells.size());
     for (std::uint32_t i = 0; i < program_.choices.size(); ++i)
-      if (program_.choices[i].cell != kNoCell) changes_[program_.choices[i].cell].add(i);
+      if (program_.choices[i].cell != kNoCell) changes_[program_.choices[i].cell].add(drawn_with(i));
     for (const Instruction& step : whole_.code())
       for (const Cell operand : WholeCode::operands(step)) changes_[step.result].add(changes_[operand]);
+  }
+
+  /// The floats of the block are drawn, and change, as one.
+  std::uint32_t drawn_with(std::size_t choice) const {
+    const std::vector<std::size_t>& together = program_.block.choices;
+    const bool in_block = std::binary_search(together.begin(), together.end(), choice);
+    return static_cast<std::uint32_t>(in_block ? together[0] : choice);
   }
 
   /// Users come before what they use. A kept cell is made by the code that follows a change, and any other
@@ -147,6 +156,29 @@ class Picking {
   std::vector<bool> seen_;   // of the instructions
 };
 
+/// What is kept and depends on a choice.
+std::vector<Cell> kept_dependents(const ScoreProgram::Choice& choice, const std::vector<bool>& kept,
+                                  WholeCode& whole) {
+  std::vector<Cell> found;
+  if (choice.cell != kNoCell) found = whole.dependents(choice.cell);
+  std::erase_if(found, [&](Cell cell) { return !kept[cell]; });
+  return found;
+}
+
+/// All that follows the floats of the block, and all that they follow from.
+void add_block(const ScoreProgram& program, const std::vector<bool>& kept, WholeCode& whole, Picking& picking,
+               Upkeep& upkeep) {
+  std::vector<Cell> changed, numbers = program.block.mixed;
+  for (const std::size_t number : program.block.choices) {
+    const ScoreProgram::Choice& choice = program.choices[number];
+    numbers.insert(numbers.end(), choice.numbers.begin(), choice.numbers.end());
+    const std::vector<Cell> dependents = kept_dependents(choice, kept, whole);
+    changed.insert(changed.end(), dependents.begin(), dependents.end());
+  }
+  upkeep.block_form = picking.code(numbers, false);
+  upkeep.block_change = picking.code(changed, true);
+}
+
 }  // namespace
 
 Upkeep upkeep_of(const ScoreProgram& program, const std::vector<Slice>& slices) {
@@ -159,17 +191,14 @@ Upkeep upkeep_of(const ScoreProgram& program, const std::vector<Slice>& slices) 
   made.kept = kept;
   for (const ScoreProgram::Choice& choice : program.choices) {
     made.forms.push_back(picking.code(choice.numbers, false));
-    std::vector<Cell> changed, derived;
-    if (choice.cell != kNoCell) {
-      for (const Cell cell : whole.dependents(choice.cell)) {
-        if (kept[cell]) changed.push_back(cell);
-        if (kept[cell] && !is_own(cell)) derived.push_back(cell);
-      }
-    }
+    std::vector<Cell> changed = kept_dependents(choice, kept, whole), derived;
+    std::copy_if(changed.begin(), changed.end(), std::back_inserter(derived),
+                 [&](Cell cell) { return !is_own(cell); });
     changed.insert(changed.end(), choice.required.begin(), choice.required.end());
     made.changes.push_back(picking.code(changed, true));
     made.accepted.push_back(picking.code(derived, true));
   }
+  add_block(program, kept, whole, picking, made);
   std::vector<Cell> derived;
   for (const auto* code : {&program.form_code, &program.output_code})
     for (const Instruction& step : *code)

@@ -18,6 +18,9 @@ struct Upkeep {
   std::vector<std::vector<Instruction>> changes;  // of the choices: to be run where the choice has changed
   /// The same where its slice has been accepted, which has written the cells of the program's own code.
   std::vector<std::vector<Instruction>> accepted;
+  /// The same for the floats of the block: makes what their distribution follows from, and is to be run where
+  /// they have changed.
+  std::vector<Instruction> block_form, block_change;
   /// Makes those of the kept cells that the program's own code does not make.
   std::vector<Instruction> derived;
   std::vector<Instruction> outputs;

@@ -9,8 +9,9 @@
 //
 // The second prints how many Metropolis steps compiled slices, or interpreted ones, make in a second, as the
 // programs by hand of bench/sampling/twins/ make them: of a choice that is picked, from its distribution or
-// close by. Steps that would leave the path are refused. The third prints what it costs to begin: how long it
-// takes to trace and slice, in runs of the program, and to compile, in microseconds for each operation.
+// close by. Steps that would leave the path are refused. The third prints what it costs to begin, in runs of
+// the program: to trace and slice, and the same with the forms along all choices and what draws by them need;
+// and how many microseconds it takes to compile an operation.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,6 +23,7 @@
 #include "bench/programs.h"
 #include "engines/sample/acceptance.h"
 #include "engines/sample/shred/traced_structure.h"
+#include "engines/sample/state_choices.h"
 
 namespace {
 
@@ -65,6 +67,15 @@ struct Started {
   }
   TracedStructure traced() {
     return trace_structure(program, params, state, rerun.addresses(), {}, ReturnedNumbers(program));
+  }
+  /// The slices alone, without forms and what draws by them need.
+  std::vector<Slice> slices() {
+    Graph graph;
+    StateChoices choices(state);
+    const TracedExecution traced = trace_execution(program, params, choices, graph, rerun.addresses(), {});
+    std::vector<NodeId> path;
+    for (const PathCondition& condition : traced.path) path.push_back(condition.holds);
+    return slices_of(score_program(graph, traced.trace, path, {}, Forms::kLeftOut));
   }
 
   const Program program;
@@ -193,8 +204,10 @@ void print_costs(const std::string& model) {
   SampledState proposed;
   const double runs =
       rate(0.2, [&](std::size_t i) { started.rerun.propose(made[i].choice, made[i].proposal, proposed); });
+  const double sliced = least_seconds([&] { return started.slices(); });
   const double traced = least_seconds([&] { return started.traced(); });
-  std::printf("%.1f %.3f\n", traced * runs, 1e6 * compiled / static_cast<double>(operations));
+  std::printf("%.1f %.1f %.3f\n", sliced * runs, traced * runs,
+              1e6 * compiled / static_cast<double>(operations));
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 //   sampling_soak MINUTES [FIRST-SEED]
 //
 // Generated programs are compared with enumeration, and models are calibrated. Limits are far above what
-// happens by chance in a night. Prints what fails, and ends with status 1 if something did.
+// happens by chance in a night. Prints what fails, and ends with status 1 if something did. It may be told to
+// end earlier (SIGINT, SIGTERM), and then says how far it came.
 #include <chrono>
+#include <csignal>
 #include <iostream>
 #include <string>
 
@@ -18,6 +20,8 @@ namespace {
 
 using namespace solitaire;
 using Engine = SamplingOptions::Engine;
+
+volatile std::sig_atomic_t is_stopped = 0;
 
 constexpr double kMostErrors = 7;
 constexpr double kMostChiSquared = 60;  // less than one in ten thousand millions with 7 degrees of freedom
@@ -54,15 +58,19 @@ int main(int argc, char** argv) {
     std::cerr << "usage: sampling_soak MINUTES [FIRST-SEED]\n";
     return 2;
   }
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { is_stopped = 1; });
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(std::stoul(argv[1]));
-  std::uint64_t failures = 0, rounds = 0;
-  for (std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1; std::chrono::steady_clock::now() < end;
-       ++seed) {
+  const auto goes_on = [&] { return is_stopped == 0 && std::chrono::steady_clock::now() < end; };
+  std::uint64_t failures = 0, rounds = 0, calibrations = 0;
+  for (std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1; goes_on(); ++seed) {
     ++rounds;
     const Engine engine = rounds % 4 == 0 ? Engine::kLightweight : Engine::kShred;
     if (!program_agrees(seed, engine)) ++failures;
-    if (rounds % 20 == 0 && !calibrated(seed, engine)) ++failures;
+    if (rounds % 20 != 0) continue;
+    ++calibrations;
+    if (!calibrated(seed, engine)) ++failures;
   }
-  std::cout << rounds << " programs, " << failures << " failures\n";
+  std::cout << rounds << " programs, " << calibrations << " calibrations, " << failures << " failures"
+            << std::endl;
   return failures == 0 ? 0 : 1;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "engines/errors.h"
+#include "engines/sample/shred/block_passages.h"
 #include "engines/tuning.h"
 
 namespace solitaire {
@@ -22,6 +23,12 @@ TracedStructure* KnownPaths::structure_of(const SampledState& state, AddressTabl
   }
   if (found != nullptr) check_density(found->kernel, state);
   return found;
+}
+
+void KnownPaths::end_warmup() {
+  if (structures_.size() > tuning::kMostPassages) return;
+  for (std::size_t i = 0; i < structures_.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) let_draw_block(*structures_[i], *structures_[j]);
 }
 
 bool KnownPaths::full() const { return structures_.size() >= tuning::kMostTraces; }

@@ -29,6 +29,9 @@ class KnownPaths {
   std::span<const std::unique_ptr<TracedStructure>> latest(std::size_t most) const {
     return {structures_.data(), std::min(most, structures_.size())};
   }
+  /// Lets passages draw blocks from now on, where the paths are few. It stays the same from then on which do,
+  /// so that each step is as probable as the one back.
+  void end_warmup();
   bool full() const;
   /// Why something could not be traced. From then on nothing is.
   const std::optional<Diagnostic>& refused() const { return refused_; }

@@ -14,7 +14,7 @@ std::optional<Passage> passage_between(const Kernel& here, TracedStructure* to, 
   std::unordered_map<AddressId, ChoiceNumber> left;
   const auto& choices = here.program().choices;
   for (ChoiceNumber i = 0; i < choices.size(); ++i) left.emplace(choices[i].address, i);
-  Passage made{to, {}, {}};
+  Passage made{to, {}, {}, false};
   for (const ScoreProgram::Choice& choice : there.program().choices) {
     const auto found = left.find(choice.address);
     made.origins.push_back(found == left.end() ? Passage::kNew : found->second);
@@ -34,14 +34,20 @@ const std::vector<const Passage*>& Passages::of(ChoiceNumber choice) {
   return by_choice_[choice];
 }
 
+Passage* Passages::between(const Kernel& here, TracedStructure* to, const Kernel& there) {
+  const auto found = by_end_.find(to);
+  if (found != by_end_.end()) return &found->second;
+  std::optional<Passage> made = passage_between(here, to, there);
+  return made ? &by_end_.emplace(to, std::move(*made)).first->second : nullptr;
+}
+
 void Passages::add(const Kernel& here, ChoiceNumber choice, TracedStructure* to, const Kernel& there) {
-  auto found = by_end_.find(to);
-  if (found == by_end_.end()) {
-    std::optional<Passage> made = passage_between(here, to, there);
-    if (!made) return;
-    found = by_end_.emplace(to, std::move(*made)).first;
-  }
-  repeat(choice, &found->second);
+  if (const Passage* const taken = between(here, to, there)) repeat(choice, taken);
+}
+
+void Passages::let_draw_block(Passage* passage) {
+  passage->draws_block = true;
+  drawing_.push_back(passage);
 }
 
 void Passages::repeat(ChoiceNumber choice, const Passage* taken) {
@@ -60,6 +66,7 @@ void Passages::forget(const TracedStructure* to) {
   const auto found = by_end_.find(to);
   if (found == by_end_.end()) return;
   for (auto& known : by_choice_) std::erase(known, &found->second);
+  std::erase(drawing_, &found->second);
   by_end_.erase(found);
 }
 

@@ -16,6 +16,9 @@ struct Passage {
   TracedStructure* to;
   std::vector<ChoiceNumber> origins;    // of the choices there: their numbers here, or kNew
   std::vector<ChoiceNumber> forgotten;  // the choices here that are not there
+  /// Whether the floats of the block there are drawn anew on the way, all of them, as those here are on the
+  /// way back. Then it matters for neither way what they were.
+  bool draws_block = false;
 };
 
 /// The passages from one structure. Where a change of a choice led before, it may lead again, and then the
@@ -28,12 +31,20 @@ class Passages {
   /// Does nothing where the same address has choices of different types, of which the one says nothing about
   /// the other.
   void add(const Kernel& here, ChoiceNumber choice, TracedStructure* to, const Kernel& there);
+  /// The passage to a structure whose kernel is `there`, or null where the same address has choices of
+  /// different types.
+  Passage* between(const Kernel& here, TracedStructure* to, const Kernel& there);
+  /// Lets a passage of these draw the block.
+  void let_draw_block(Passage* passage);
+  /// Those that draw the block.
+  const std::vector<const Passage*>& drawing() const { return drawing_; }
   /// The passage was taken again.
   void repeat(ChoiceNumber choice, const Passage* taken);
   void forget(const TracedStructure* to);
 
  private:
   std::map<const TracedStructure*, Passage> by_end_;
+  std::vector<const Passage*> drawing_;
   std::vector<std::vector<const Passage*>> by_choice_;
 };
 

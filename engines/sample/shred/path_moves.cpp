@@ -1,6 +1,8 @@
 #include "engines/sample/shred/path_moves.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engines/sample/acceptance.h"
 #include "engines/sample/shred/conditional.h"
@@ -11,6 +13,7 @@ namespace {
 
 /// Products of some floats up to here, and of their inverses, are floats.
 constexpr double kUsual = 1e60;
+bool is_usual(double value) { return std::abs(value) < kUsual && std::abs(value) > 1 / kUsual; }
 
 }  // namespace
 
@@ -18,7 +21,12 @@ constexpr double kUsual = 1e60;
 void PathMoves::scan(TracedStructure& structure, bool floats_move, bool learns) {
   Kernel& kernel = structure.kernel;
   const ScoreProgram& program = kernel.program();
+  const bool together = draw_block(structure);
+  auto in_block = program.block.choices.begin();
   for (ChoiceNumber i = 0; i < program.choices.size(); ++i) {
+    const bool had_its_turn = in_block != program.block.choices.end() && *in_block == i;
+    if (had_its_turn) ++in_block;
+    if (had_its_turn && together) continue;
     if (program.choices[i].cell == kNoCell || !structure.keeps_path(i)) continue;
     if (change_by_form(kernel, i)) continue;
     if (stream_.below(2) != 0) {
@@ -27,6 +35,17 @@ void PathMoves::scan(TracedStructure& structure, bool floats_move, bool learns) 
       change(kernel, i, slice_sampler_.draw(kernel, i, learns), Move::kSlice);
     }
   }
+}
+
+/// Draws the floats of the block together. Returns false where there are none, or where they have no such
+/// distribution; single floats far from 1 are looked at.
+bool PathMoves::draw_block(TracedStructure& structure) {
+  if (structure.kernel.program().block.choices.empty() || !structure.block.look(structure.kernel))
+    return false;
+  const std::span<const double> values = structure.block.draw(stream_);
+  if (!std::all_of(values.begin(), values.end(), is_usual)) return false;
+  moves_.add(Move::kGibbs, structure.kernel.set_block(values));
+  return true;
 }
 
 /// Draws the choice from its distribution given all others, if that is known.
@@ -51,8 +70,7 @@ bool PathMoves::change_by_form(Kernel& kernel, ChoiceNumber choice) {
 /// A float far from 1 is looked at before it is taken: the density may not be finite there.
 void PathMoves::set(Kernel& kernel, ChoiceNumber choice, Scalar value) {
   const bool is_float = kernel.program().choices[choice].form != Form::kWeights;
-  if (is_float && !(std::abs(value.f) < kUsual && std::abs(value.f) > 1 / kUsual))
-    return change(kernel, choice, value, Move::kGibbs);
+  if (is_float && !is_usual(value.f)) return change(kernel, choice, value, Move::kGibbs);
   const bool same = bits_of(value) == bits_of(kernel.value(choice));
   moves_.add(Move::kGibbs, same || kernel.set(choice, value));
 }

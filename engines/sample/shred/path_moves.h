@@ -20,6 +20,7 @@ class PathMoves {
   void scan(TracedStructure& structure, bool floats_move, bool learns);
 
  private:
+  bool draw_block(TracedStructure& structure);
   bool change_by_form(Kernel& kernel, ChoiceNumber choice);
   void set(Kernel& kernel, ChoiceNumber choice, Scalar value);
   void change_anywhere(Kernel& kernel, ChoiceNumber choice);

@@ -27,8 +27,9 @@ Kernel::Outcome PathRun::follow(Kernel& to, Known known) {
 }
 
 /// The ratio is that of Rerun::propose().
-std::optional<double> PathRun::propose(const Kernel& from, ChoiceNumber picked, const Proposal& proposal,
+std::optional<double> PathRun::propose(TracedStructure& start, ChoiceNumber picked, const Proposal& proposal,
                                        const Passage& passage) {
+  const Kernel& from = start.kernel;
   Kernel& to = passage.to->kernel;
   const Kernel::Outcome outcome = follow(to, [&](ChoiceNumber choice) -> std::optional<Scalar> {
     const ChoiceNumber origin = passage.origins[choice];
@@ -37,12 +38,23 @@ std::optional<double> PathRun::propose(const Kernel& from, ChoiceNumber picked, 
   });
   if (outcome == Kernel::Outcome::kLeavesTrace) return std::nullopt;
   if (outcome == Kernel::Outcome::kImpossible) return -HUGE_VAL;
-  double forgotten = 0;
-  for (const ChoiceNumber each : passage.forgotten) forgotten += log_prior(from, each);
   const auto count = static_cast<double>(from.program().choices.size());
   const auto proposed_count = static_cast<double>(to.program().choices.size());
-  return to.log_score() - from.log_score() + proposal.log_ratio + forgotten - drawn_density_ +
-         std::log(count) - std::log(proposed_count);
+  const double log_picks = proposal.log_ratio + std::log(count) - std::log(proposed_count);
+  if (passage.draws_block) return draw_block(start, *passage.to) + log_picks;
+  double forgotten = 0;
+  for (const ChoiceNumber each : passage.forgotten) forgotten += log_prior(from, each);
+  return to.log_score() - from.log_score() + forgotten - drawn_density_ + log_picks;
+}
+
+/// Draws the block of the execution that was followed, whatever its floats were there. Returns the logarithm
+/// of the ratio of the densities of the rest, for all values of the floats together: a density over that of
+/// its block, given the rest, is that of the rest.
+double PathRun::draw_block(TracedStructure& from, TracedStructure& to) {
+  if (!from.block.look(from.kernel) || !to.block.look(to.kernel)) return -HUGE_VAL;
+  const double log_ratio =
+      to.kernel.log_score() - to.block.log_density() - (from.kernel.log_score() - from.block.log_density());
+  return to.kernel.set_block(to.block.draw(stream_)) ? log_ratio : -HUGE_VAL;
 }
 
 std::optional<double> PathRun::restart(Kernel& to) {

@@ -16,7 +16,7 @@ ShredChain::ShredChain(const Program& program, const ParamValues& params, const 
       path_moves_(stream_, proposer_, moves_),
       joint_moves_(stream_, moves_),
       known_paths_(program, params, limits),
-      path_run_(rerun_.fresh_values()),
+      path_run_(stream_, rerun_.fresh_values()),
       proposed_(rerun_.start()),
       restarts_(restarts) {
   enter_proposed();
@@ -78,16 +78,24 @@ bool ShredChain::accepts(const Proposal& proposal, double log_ratio, AddressId a
 void ShredChain::leave_path(ChoiceNumber choice, const Proposal& proposal) {
   Kernel& kernel = structure_->kernel;
   kernel.refresh();
-  for (const Passage* passage : structure_->passages.of(choice)) {
-    const std::optional<double> log_ratio = path_run_.propose(kernel, choice, proposal, *passage);
-    if (!log_ratio) continue;
-    rerun_.fresh_values().clear();
-    structure_->passages.repeat(choice, passage);
-    if (accepts(proposal, *log_ratio, kernel.program().choices[choice].address)) enter(passage->to);
-    return;
+  Passages& passages = structure_->passages;
+  for (const Passage* passage : passages.drawing())
+    if (step_through(*passage, choice, proposal)) return;
+  for (const Passage* passage : passages.of(choice)) {
+    if (passage->draws_block || !step_through(*passage, choice, proposal)) continue;
+    return passages.repeat(choice, passage);
   }
   fetch_state();
   step_by_rerun(choice, proposal);
+}
+
+/// Returns false if the passage does not lead to where the proposal does.
+bool ShredChain::step_through(const Passage& passage, ChoiceNumber choice, const Proposal& proposal) {
+  const std::optional<double> log_ratio = path_run_.propose(*structure_, choice, proposal, passage);
+  if (!log_ratio) return false;
+  rerun_.fresh_values().clear();
+  if (accepts(proposal, *log_ratio, structure_->kernel.program().choices[choice].address)) enter(passage.to);
+  return true;
 }
 
 void ShredChain::step_by_rerun(ChoiceNumber choice, const Proposal& proposal) {
@@ -201,6 +209,7 @@ void ShredChain::end_warmup() {
   warming_up_ = false;
   restarts_.end_warmup();
   joint_moves_.end_warmup();
+  known_paths_.end_warmup();
   moves_.clear();
 }
 

@@ -44,6 +44,7 @@ class ShredChain : public Chain {
  private:
   void step();
   void step_on_trace(ChoiceNumber choice);
+  bool step_through(const Passage& passage, ChoiceNumber choice, const Proposal& proposal);
   void leave_path(ChoiceNumber choice, const Proposal& proposal);
   void step_by_rerun(ChoiceNumber choice, const Proposal& proposal);
   void foresee(ChoiceNumber choice);

@@ -35,7 +35,7 @@ TracedStructure trace_structure(const Program& program, const ParamValues& param
   std::vector<double> values;
   returned.read(plain(traced.execution.value), names, values);
   const bool branches = !kernel.program().assumed.empty();
-  return {std::move(kernel), std::move(names), branches, {}};
+  return {std::move(kernel), std::move(names), branches, {}, {}};
 }
 
 bool TracedStructure::load(const SampledState& state) {

@@ -4,6 +4,7 @@
 
 #include "engines/sample/rerun.h"
 #include "engines/sample/returned_numbers.h"
+#include "engines/sample/shred/block_draw.h"
 #include "engines/sample/shred/passages.h"
 #include "kernel/kernel.h"
 
@@ -15,6 +16,7 @@ struct TracedStructure {
   std::vector<std::string> names;  // of the numbers that the program returns, which are the kernel's outputs
   bool branches;                   // whether a branch depends on some choice
   Passages passages;
+  BlockDraw block;
 
   /// Returns true if no change of the choice leads to another path.
   bool keeps_path(ChoiceNumber choice) const { return kernel.slice(choice).assumed.empty(); }
