@@ -105,6 +105,19 @@ TEST_CASE("models: where their density has no known form, they move along its sl
   CHECK(by_trajectories(summary));
 }
 
+TEST_CASE("models: a start where the density is tiny leaves no rounding in the score") {
+  const Workplace place;
+  const std::string script =
+      place.file("far.sol",
+                 "a = uniform(-10000, 10000); b = uniform(-1000, 1000);\n"
+                 "for i in 1..20 { x = 1000 + i; observe(Normal(a + b * (1.0 * x), 1), 3.0 * i); }\n"
+                 "return a, b;\n");
+  // At the end the density of a run is compared with the trace's.
+  const Outcome outcome = run_solitaire({"sample", script, "-n", "4000", "--seed", "1", "-q"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+}
+
 TEST_CASE("models: floats that hang together by their labels alone do not move together") {
   const auto script = std::filesystem::path(SOLITAIRE_SOURCE_DIR) / "examples/sampling/mixture.sol";
   const Outcome outcome = run_solitaire({"sample", script, "-n", "4000", "--json", "-q"});
