@@ -90,7 +90,9 @@ nlohmann::json line_far_away(const std::string& priors, double precision_of_a, d
   return summary;
 }
 double effective(const nlohmann::json& summary) { return summary["parameters"][1]["ess_bulk"].get<double>(); }
-bool by_trajectories(const nlohmann::json& summary) { return summary["moves"].contains("nuts"); }
+bool by_trajectories(const nlohmann::json& summary) {
+  return summary["moves"].dump().find("nuts") != std::string::npos;
+}
 
 TEST_CASE("models: a slope and an intercept that single steps can hardly move are drawn together") {
   const auto summary = line_far_away("a = normal(0, 1000); b = normal(0, 100);\n", 1e-6, 1e-4);
