@@ -24,7 +24,7 @@ class Candidates {
       choices_.push_back(i);
       all_.push_back({trace.choices[i].variable, forms[i].numbers[0], forms[i].numbers[1]});
     }
-    if (all_.size() > kMostTogether) return;
+    if (all_.size() > kMostTogether) all_.clear();
     find_slopes();
     find_dependencies();
     for (std::size_t i = 0; i < all_.size(); ++i)
