@@ -26,8 +26,8 @@ using ChoiceNumber = std::size_t;
 ///
 /// Where the form of the density along a choice is known, its numbers() say how to draw a value, and set()
 /// takes it over. So do block_numbers() and set_block() for floats whose form is known together. None of them
-/// computes a density: what only a density needs is left behind until refresh(). All
-/// functions that need it say so, but for proposals, which see to it themselves.
+/// computes a density: what only a density needs is left behind until refresh(). All functions that need it
+/// say so, but for proposals, which see to it themselves.
 class Kernel {
  public:
   enum class Outcome : std::uint8_t {

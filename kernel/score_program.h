@@ -76,10 +76,12 @@ struct ScoreProgram {
   bool impossible() const { return constant == -std::numeric_limits<double>::infinity(); }
 };
 
-/// Makes the program of a traced execution. `path` is what its branches followed, and `outputs` are nodes
-/// whose values are asked for. Where forms are left out, they count as unknown. Adds nodes for densities to
-/// the graph.
+/// Whether the forms of the density along choices are looked for. Where they are left out, they count as
+/// unknown.
 enum class Forms : std::uint8_t { kFound, kLeftOut };
+
+/// Makes the program of a traced execution. `path` is what its branches followed, and `outputs` are nodes
+/// whose values are asked for. Adds nodes for densities to the graph.
 ScoreProgram score_program(Graph& graph, const Trace& trace, std::span<const NodeId> path,
                            std::span<const NodeId> outputs, Forms wanted = Forms::kFound);
 
