@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -55,6 +56,8 @@ struct ScoreProgram {
   struct Block {
     std::vector<std::size_t> choices;
     std::vector<Cell> mixed;
+
+    bool has(std::size_t choice) const { return std::binary_search(choices.begin(), choices.end(), choice); }
   };
 
   std::vector<Scalar> cells;  // constants have their values, all others wait to be set or computed

@@ -78,9 +78,7 @@ class Keeping {
 
   /// The floats of the block are drawn, and change, as one.
   std::uint32_t drawn_with(std::size_t choice) const {
-    const std::vector<std::size_t>& together = program_.block.choices;
-    const bool in_block = std::binary_search(together.begin(), together.end(), choice);
-    return static_cast<std::uint32_t>(in_block ? together[0] : choice);
+    return static_cast<std::uint32_t>(program_.block.has(choice) ? program_.block.choices[0] : choice);
   }
 
   /// Users come before what they use. A kept cell is made by the code that follows a change, and any other

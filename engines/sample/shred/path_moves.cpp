@@ -22,11 +22,8 @@ void PathMoves::scan(TracedStructure& structure, bool floats_move, bool learns) 
   Kernel& kernel = structure.kernel;
   const ScoreProgram& program = kernel.program();
   const bool together = draw_block(structure);
-  auto in_block = program.block.choices.begin();
   for (ChoiceNumber i = 0; i < program.choices.size(); ++i) {
-    const bool had_its_turn = in_block != program.block.choices.end() && *in_block == i;
-    if (had_its_turn) ++in_block;
-    if (had_its_turn && together) continue;
+    if (together && program.block.has(i)) continue;
     if (program.choices[i].cell == kNoCell || !structure.keeps_path(i)) continue;
     if (change_by_form(kernel, i)) continue;
     if (stream_.below(2) != 0) {
