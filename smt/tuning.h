@@ -35,6 +35,8 @@ inline constexpr std::size_t kMostLinearFormTerms = 100'000;
 /// A bound on a sum is written in unary if its tree has so many pairs of values at most. A pair takes a
 /// clause at most, so that is a second.
 inline constexpr std::size_t kMostUnaryPairs = 3'000'000;
+/// Counts of at most so many pairs of values are added up pair by pair.
+inline constexpr std::size_t kMostMergedByPairs = 1024;
 /// That at most one of so many literals holds is said pair by pair.
 inline constexpr std::size_t kMostPairwise = 5;
 /// More of them are put into groups of so many.

@@ -14,21 +14,25 @@
 namespace solitaire {
 namespace {
 
-/// Terms of which nothing is known, in clauses that a propagator has.
+/// Terms of which nothing is known, in clauses that a propagator has. Where they are counted, they have two
+/// values, and those of either half have one factor.
 struct OpenTerms {
-  OpenTerms(std::mt19937_64& random, std::size_t count) {
+  OpenTerms(std::mt19937_64& random, std::size_t count, bool are_counted) {
+    const std::int64_t first_half = random() % 2 == 0 ? 1 : -2, second_half = random() % 2 == 0 ? 1 : -2;
     for (std::size_t i = 0; i < count; ++i) {
       OrderEncodedInt& term =
           orders.emplace_back(constant_order(static_cast<std::int64_t>(random() % 5) - 2));
-      const std::size_t size = 2 + random() % 3;
+      const std::size_t size = are_counted ? 2 : 2 + random() % 3;
       while (term.size() < size) {
-        term.values.push_back(term.values.back() + 1 + static_cast<std::int64_t>(random() % 3));
+        const std::int64_t more = are_counted ? 0 : static_cast<std::int64_t>(random() % 3);
+        term.values.push_back(term.values.back() + 1 + more);
         term.reached.push_back(circuit.input());
         if (term.size() == 2) continue;
         const Literal reached_before[] = {!term.reached.back(), term.reached.end()[-2]};
         cnf.add_clause(reached_before);
       }
-      factors.push_back(random() % 2 == 0 ? 1 : -2);
+      const std::int64_t factor = i < count / 2 ? first_half : second_half;
+      factors.push_back(are_counted ? factor : random() % 2 == 0 ? 1 : -2);
     }
   }
 
@@ -45,18 +49,21 @@ struct OpenTerms {
     return number;
   }
 
-  /// The most that the terms can come to, if the literal fails, too.
-  std::int64_t most(Literal failing = kFalseLiteral) {
+  /// The most that the terms can come to.
+  std::int64_t most() {
     std::int64_t sum = 0;
-    for (std::size_t i = 0; i < orders.size(); ++i) {
-      std::vector<std::int64_t> left;
-      for (std::size_t j = 0; j < orders[i].size(); ++j) {
-        const Literal here = orders[i].reaches(j), next = orders[i].reaches(j + 1);
-        if (!fails(here, failing) && !holds(next, failing)) left.push_back(factors[i] * orders[i].values[j]);
-      }
-      sum += std::ranges::max(left);
-    }
+    for (std::size_t i = 0; i < orders.size(); ++i) sum += most_of(i);
     return sum;
+  }
+
+  /// The most that one of them can come to, if the literal fails, too.
+  std::int64_t most_of(std::size_t i, Literal failing = kFalseLiteral) {
+    std::vector<std::int64_t> left;
+    for (std::size_t j = 0; j < orders[i].size() && !fails(orders[i].reaches(j), failing); ++j) {
+      if (holds(orders[i].reaches(j), failing)) left.clear();
+      left.push_back(factors[i] * orders[i].values[j]);
+    }
+    return std::ranges::max(left);
   }
 
   bool holds(Literal literal, Literal failing) { return fails(!literal, failing); }
@@ -73,16 +80,26 @@ struct OpenTerms {
   std::vector<std::int64_t> factors;
 };
 
+/// Few terms, or so many to be counted that they are merged.
+OpenTerms drawn_terms(std::mt19937_64& random, int round) {
+  if (round % 10 == 0) return {random, 40 + random() % 90, true};
+  return {random, 1 + random() % 6, false};
+}
+
+std::int64_t below(std::mt19937_64& random, std::size_t end) {
+  return static_cast<std::int64_t>(random() % end);
+}
+
 }  // namespace
 
 TEST_CASE("unary sums: what follows from a bound, once some terms are known, is assigned") {
   std::mt19937_64 random(1);
   int left = 0;
   for (int round = 0; round < 300; ++round) {
-    OpenTerms terms(random, 1 + random() % 6);
-    auto sum = UnarySum::of(terms.bound(), 1000);
+    OpenTerms terms = drawn_terms(random, round);
+    auto sum = UnarySum::of(terms.bound(), 100'000);
     REQUIRE(sum);
-    const std::int64_t bound = terms.most() - static_cast<std::int64_t>(random() % 8);
+    const std::int64_t bound = terms.most() - below(random, terms.orders.size() > 6 ? 90 : 8);
     const int asked = terms.cnf.assumable(sum->at_least(terms.circuit, bound));
     std::vector<Literal> inputs;
     for (const OrderEncodedInt& order : terms.orders)
@@ -96,12 +113,13 @@ TEST_CASE("unary sums: what follows from a bound, once some terms are known, is 
     for (const Literal input : inputs) {
       CHECK(possible);  // as each literal that has to hold does
       if (!possible) break;
-      CHECK(terms.most() >= bound);
+      const std::int64_t most = terms.most();
+      CHECK(most >= bound);
       for (std::size_t i = 0; i < terms.orders.size(); ++i) {
         for (const Literal literal : terms.orders[i].reached) {
           const Literal needed = terms.factors[i] > 0 ? literal : !literal;
           if (!terms.propagator.is_open(terms.variable(literal))) continue;
-          CHECK(terms.most(!needed) >= bound);
+          CHECK(most - terms.most_of(i) + terms.most_of(i, needed) >= bound);
           ++left;
         }
       }
@@ -118,12 +136,10 @@ TEST_CASE("unary sums: a bound allows the values that come to it, and no others"
   std::mt19937_64 random(2);
   int allowed = 0, ruled_out = 0;
   for (int round = 0; round < 300; ++round) {
-    OpenTerms terms(random, 1 + random() % 6);
-    auto sum = UnarySum::of(terms.bound(), 1000);
+    OpenTerms terms = drawn_terms(random, round);
+    auto sum = UnarySum::of(terms.bound(), 100'000);
     REQUIRE(sum);
-    const std::int64_t bound = terms.most() - static_cast<std::int64_t>(random() % 12);
-    const int asked = terms.cnf.assumable(sum->at_least(terms.circuit, bound));
-    std::vector<int> decisions{asked};
+    std::vector<int> decisions;
     std::int64_t total = 0;
     for (std::size_t i = 0; i < terms.orders.size(); ++i) {
       const OrderEncodedInt& order = terms.orders[i];
@@ -133,7 +149,9 @@ TEST_CASE("unary sums: a bound allows the values that come to it, and no others"
         decisions.push_back(j <= value ? terms.variable(order.reaches(j))
                                        : -terms.variable(order.reaches(j)));
     }
-    terms.propagator.reserve(std::abs(asked));
+    const std::int64_t bound = total + below(random, 7) - 3;
+    decisions.push_back(terms.cnf.assumable(sum->at_least(terms.circuit, bound)));
+    terms.propagator.reserve(std::abs(decisions.back()));
     bool possible = terms.propagator.propagate();
     for (const int decision : decisions) {
       if (possible && terms.propagator.is_open(decision)) {
@@ -151,7 +169,7 @@ TEST_CASE("unary sums: a bound allows the values that come to it, and no others"
 
 TEST_CASE("unary sums: none of too many pairs of values") {
   std::mt19937_64 random(3);
-  OpenTerms terms(random, 8);
+  OpenTerms terms(random, 8, false);
   CHECK(UnarySum::of(terms.bound(), 10'000));
   CHECK_FALSE(UnarySum::of(terms.bound(), 50));
 }
