@@ -15,8 +15,8 @@ constexpr std::uint64_t kNamesCompared = 20'000'000;
 
 // Exploration (engines/solve/executions/explore.h).
 
-/// Branch sides that a pass of the beginning may open without being asked. Judgement: most programs are
-/// covered at once, and a pass of as many sides takes well under a second.
+/// Branch sides that the first passes, and each later one, may open without being asked. Judgement: most
+/// programs are covered at once, and a pass of as many sides takes well under a second.
 constexpr std::size_t kUnaskedSides = 4000;
 /// Levels of undecided branches that the first pass opens; each further pass opens four times as many.
 /// Judgement, as is the factor.

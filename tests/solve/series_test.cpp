@@ -263,5 +263,16 @@ TEST_CASE("series: a solution is not found again over a choice whose range grew 
   check_that_nothing_is_left(engine);  // though the formula knows the last pass only
 }
 
+TEST_CASE("series: each pass goes on where the one before had opened as many sides as it may") {
+  const Program program = program_of(
+      "n = 0;\nfor i in 1..40 { if flip() then { n = n + range(1, 2); } else n = n + range(0, 1); }\n"
+      "assert(n == 79);\nreturn n;\n");
+  TracingOptions options;
+  options.exploration.unasked_sides = 10;
+  TracingEngine engine(program, {}, options);
+  CHECK(all_solutions(engine).size() == 80);
+  CHECK(engine.traced().solver().passes() <= 80 / 10);
+}
+
 }  // namespace
 }  // namespace solitaire

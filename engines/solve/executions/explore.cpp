@@ -17,16 +17,16 @@ class Explorer::OpenSides : public Branches {
   };
 
   std::uint32_t levels = 0;                                        // the levels with which a pass starts
-  std::size_t most_unasked = 0;                                    // sides that a pass may open by level
-  std::size_t unasked = 0;                                         // those that the current pass did
+  std::size_t unasked = 0;                                         // how many more may be opened by level
   std::unordered_map<BranchSide, std::uint32_t, SideHash> opened;  // and the levels below each
 
   std::optional<std::uint32_t> open(const BranchSide& side, std::uint32_t left) override {
-    const auto it = opened.find(side);
-    const bool by_level = left > 0 && unasked < most_unasked;
-    if (by_level) ++unasked;
-    if (it == opened.end()) return by_level ? std::optional(left - 1) : std::nullopt;
-    return std::max(it->second, by_level ? left - 1 : 0);
+    const std::uint32_t below = left > 0 ? left - 1 : 0;
+    if (const auto it = opened.find(side); it != opened.end()) return std::max(it->second, below);
+    if (left == 0 || unasked == 0) return std::nullopt;
+    --unasked;
+    opened.emplace(side, 0);
+    return below;
   }
 
   void taken(const BranchSide& side) override { opened.try_emplace(side, 0); }
@@ -46,7 +46,7 @@ Explorer::Explorer(const Program& program, ParamValues params, const Exploration
       addresses_(addresses),
       sides_(std::make_unique<OpenSides>()),
       grant_(exploration.grant) {
-  sides_->most_unasked = exploration.unasked_sides;
+  sides_->unasked = exploration.unasked_sides;
   granted_.fuel_steps = std::min(exploration.fuel_steps, limits.max_steps);
   granted_.fuel_depth = std::min(exploration.fuel_depth, limits.max_depth);
 }
@@ -54,7 +54,6 @@ Explorer::Explorer(const Program& program, ParamValues params, const Exploration
 Explorer::~Explorer() = default;
 
 void Explorer::run_pass() {
-  sides_->unasked = 0;
   pass_ = trace(program_, params_, choices_, *sides_, sides_->levels, graph_, addresses_, granted_);
   ++passes_;
 }
@@ -70,7 +69,7 @@ void Explorer::start() {
        levels *= tuning::kLevelGrowth) {
     sides_->levels = levels;
     run_pass();
-    if (pass_.trace.blockers.empty() || sides_->unasked >= sides_->most_unasked) return;
+    if (pass_.trace.blockers.empty() || sides_->unasked == 0) return;
     const auto is_cut = [](const TraceBlocker& blocker) {
       return blocker.side.kind == BranchSide::Kind::kCut;
     };
@@ -118,7 +117,10 @@ bool Explorer::open(const std::vector<std::size_t>& blockers) {
     if (granted_.fuel_steps == limits_.max_steps) granted_.fuel_steps = UINT64_MAX;
     if (granted_.fuel_depth == limits_.max_depth) granted_.fuel_depth = UINT32_MAX;
   }
-  if (closed) grant_ = std::min(grant_ * 2, tuning::kMostLevels);
+  if (closed) {
+    grant_ = std::min(grant_ * 2, tuning::kMostLevels);
+    sides_->unasked = exploration_.unasked_sides;
+  }
   run_pass();
   return true;
 }

@@ -14,8 +14,8 @@ struct Exploration {
   Policy policy = Policy::kDemand;
   std::uint64_t executions = 0;  // kRandom: how many random executions open the sides that they take
 
-  // kDemand: what the first passes may open without being asked, and the fuel of paths that only some
-  // executions take.
+  // kDemand: how many sides the first passes, and each later one, may open without being asked, and the fuel
+  // of paths that only some executions take.
   std::size_t unasked_sides = tuning::kUnaskedSides;
   std::uint32_t levels = tuning::kFirstLevels;    // of the first pass; at least 1
   std::uint32_t grant = tuning::kFirstGrant;      // levels that come with the first sides asked for
@@ -28,8 +28,9 @@ struct Exploration {
 /// passes before it.
 ///
 /// Demand: the first passes open a few levels of undecided branches, each four times as many as the one
-/// before, up to a budget. Afterwards sides are opened that stood in the way of a solution, and with each of
-/// them twice as many levels below as the time before. Random (the dissertation's policy): the sides that
+/// before, up to a budget of sides. Afterwards sides are opened that stood in the way of a solution, and with
+/// each of them twice as many levels below as the time before, up to the same budget again. What is open
+/// stays open, and costs no budget. Random (the dissertation's policy): the sides that
 /// random executions take are open, and no others.
 class Explorer {
  public:
