@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/console.h"
+#include "app/one_of.h"
 #include "app/report.h"
 #include "app/tiles_options.h"
 
@@ -78,10 +79,8 @@ void add_sampling_options(CLI::App& command, Options& options) {
 void add_trace_options(CLI::App& command, Options& options) {
   add_program_options(command, options);
   command.add_option("--format", options.format, "text (default), dot for Graphviz, or smt2 for solvers")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, TraceFormat>{{"text", TraceFormat::kText},
-                                                                             {"dot", TraceFormat::kDot},
-                                                                             {"smt2", TraceFormat::kSmtlib}})
-                      .description("text|dot|smt2"));
+      ->transform(one_of<TraceFormat>(
+          {{"text", TraceFormat::kText}, {"dot", TraceFormat::kDot}, {"smt2", TraceFormat::kSmtlib}}));
 }
 
 void add_asset_options(CLI::App& command, Options& options) {

@@ -3,7 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <fmt/format.h>
+#include <limits>
 #include <thread>
+
+#include "app/one_of.h"
 
 namespace solitaire::app {
 namespace {
@@ -39,6 +42,11 @@ std::string check_seconds(const std::string& text) {
   return check_number<double>(text, 0, kMostSeconds, "a number of seconds from 0");
 }
 
+std::string check_megabytes(const std::string& text) {
+  return check_number<double>(text, std::numeric_limits<double>::min(), 1e12,
+                              "a number of megabytes above 0");
+}
+
 std::string check_setting(const std::string& text) {
   const std::size_t sign = text.find('=');
   return sign == std::string::npos || sign == 0 ? fmt::format("'{}' is not of the form NAME=VALUE", text)
@@ -67,16 +75,16 @@ CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vec
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-std::map<std::string, Solver> exact_engines() {
+Words<Solver> exact_engines() {
   return {{"auto", Solver::kCadical}, {"cadical", Solver::kCadical}, {"z3", Solver::kZ3}};
 }
 
 /// Adds the choice among all engines, also the one whose answers are no proofs.
 void add_engine_option(CLI::App& command, Options& options) {
-  std::map<std::string, Solver> engines = exact_engines();
-  engines.emplace("thesis", Solver::kThesis);
-  engines.emplace("shred", Solver::kShred);
-  engines.emplace("tiles", Solver::kTiles);
+  Words<Solver> engines = exact_engines();
+  engines.emplace_back("thesis", Solver::kThesis);
+  engines.emplace_back("shred", Solver::kShred);
+  engines.emplace_back("tiles", Solver::kTiles);
   command
       .add_option(
           "--engine", options.search.solver,
@@ -84,8 +92,7 @@ void add_engine_option(CLI::App& command, Options& options) {
           "ints "
           "and random exploration, as published, to measure against), shred (draws executions by how "
           "probable they are, as 'sample' does), or tiles (draws maps of tiles as their exemplars look)")
-      ->transform(
-          CLI::CheckedTransformer(std::move(engines)).description("auto|cadical|z3|thesis|shred|tiles"));
+      ->transform(one_of(engines));
   command.parse_complete_callback([&options] {
     const SearchOptions& search = options.search;
     if (search.solver == Solver::kThesis && search.exploration_name() == "demand")
@@ -139,9 +146,7 @@ void add_program_options(CLI::App& command, Options& options) {
   add_repeatable(command, "--data", options.data,
                  "set a param of the program to what a .json or .csv file holds: NAME=FILE")
       ->check(CLI::Validator(check_setting, "NAME=FILE"));
-  command
-      .add_option("--seed", options.search.seed, "same seed, program and options: same output (default 0)")
-      ->check(CLI::Validator(check_seed, "N"));
+  add_seed_option(command, options.search.seed, "same seed, program and options: same output (default 0)");
   command
       .add_option(
           "--explore", options.search.explore,
@@ -156,20 +161,28 @@ void add_program_options(CLI::App& command, Options& options) {
       .add_option("--max-depth", options.search.max_depth,
                   "calls within each other after which a recursion counts as endless (default 4000)")
       ->check(CLI::Validator(check_count, "N"));
+  add_limit_options(command, options);
+  command.add_flag("-q,--quiet", options.quiet, "no progress and no summary");
+}
+
+void add_limit_options(CLI::App& command, Options& options) {
   command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was found")
       ->check(CLI::Validator(check_seconds, "SECONDS"));
   command
       .add_option("--memory", options.memory,
                   "end when more than so many megabytes of memory are in use, keeping what was found")
-      ->check(CLI::PositiveNumber);
-  command.add_flag("-q,--quiet", options.quiet, "no progress and no summary");
+      ->check(CLI::Validator(check_megabytes, "MEGABYTES"));
+}
+
+void add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& help) {
+  command.add_option("--seed", seed, help)->check(CLI::Validator(check_seed, "N"));
 }
 
 void add_solver_options(CLI::App& command, Options& options) {
   command
       .add_option("--engine", options.search.solver,
                   "which solver to use: cadical (auto takes it: the fastest), or z3 (the reference)")
-      ->transform(CLI::CheckedTransformer(exact_engines()).description("auto|cadical|z3"));
+      ->transform(one_of(exact_engines()));
   add_pin_options(command, options);
 }
 
@@ -197,19 +210,14 @@ void add_search_options(CLI::App& command, Options& options) {
               "--sample", options.search.sampling,
               "how to choose among all solutions: as the search finds them (search, default), or each "
               "with the same probability (uniform)")
-          ->transform(
-              CLI::CheckedTransformer(std::map<std::string, Sampling>{{"search", Sampling::kSearch},
-                                                                      {"uniform", Sampling::kUniform}})
-                  .description("search|uniform"));
+          ->transform(one_of<Sampling>({{"search", Sampling::kSearch}, {"uniform", Sampling::kUniform}}));
   command
       .add_option(
           "--distinct", options.search.distinct,
           "what makes two solutions different: their choices, the result (value and scene), or the value "
           "that the program returns before its output")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Distinct>{{"choices", Distinct::kChoices},
-                                                                          {"result", Distinct::kResult},
-                                                                          {"value", Distinct::kValue}})
-                      .description("choices|result|value"));
+      ->transform(one_of<Distinct>(
+          {{"choices", Distinct::kChoices}, {"result", Distinct::kResult}, {"value", Distinct::kValue}}));
   options.search.jobs = std::max(1U, std::thread::hardware_concurrency());
   auto* min_distance =
       command
@@ -230,10 +238,8 @@ void add_search_options(CLI::App& command, Options& options) {
           "how far apart solutions are: 'low' takes whatever comes fastest (with --all by itself), "
           "'normal' (default) starts each search at random values, 'high' also without regard to what "
           "earlier searches met, which takes longer")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Diversity>{{"low", Diversity::kLow},
-                                                                           {"normal", Diversity::kNormal},
-                                                                           {"high", Diversity::kHigh}})
-                      .description("low|normal|high"));
+      ->transform(one_of<Diversity>(
+          {{"low", Diversity::kLow}, {"normal", Diversity::kNormal}, {"high", Diversity::kHigh}}));
   auto* formula =
       command
           .add_option(
@@ -262,9 +268,7 @@ void add_camera_option(CLI::App& command, Options& options) {
           "--camera", [&](const Viewpoint& from) { pictures_of(options).from = from; },
           "draw pictures from the front, the right and above (above: default), or as somebody sees it who "
           "stands in the scene (eye: NAME-eye.png)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Viewpoint>{{"above", Viewpoint::kAbove},
-                                                                           {"eye", Viewpoint::kEye}})
-                      .description("above|eye"));
+      ->transform(one_of<Viewpoint>({{"above", Viewpoint::kAbove}, {"eye", Viewpoint::kEye}}));
 }
 
 void add_sample_options(CLI::App& command, Options& options) {
@@ -282,10 +286,8 @@ void add_sample_options(CLI::App& command, Options& options) {
       .add_option("--engine", sampling.engine,
                   "how to draw: shred (default: a step computes anew what depends on it), or lightweight (a "
                   "step runs the program again)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, SampleOptions::Engine>{
-                                              {"shred", SampleOptions::Engine::kShred},
-                                              {"lightweight", SampleOptions::Engine::kLightweight}})
-                      .description("shred|lightweight"));
+      ->transform(one_of<SampleOptions::Engine>(
+          {{"shred", SampleOptions::Engine::kShred}, {"lightweight", SampleOptions::Engine::kLightweight}}));
   command.add_option("--draws", options.draws_file, "write the draws: a table, or lines of JSON (.jsonl)")
       ->type_name("FILE.csv");
   command
@@ -293,9 +295,7 @@ void add_sample_options(CLI::App& command, Options& options) {
           "--stream", options.stream,
           "print each draw as it comes, as a line of JSON or a row of a table; the summary goes to standard "
           "error")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, DrawFormat>{{"jsonl", DrawFormat::kJsonLines},
-                                                                            {"csv", DrawFormat::kCsv}})
-                      .description("jsonl|csv"));
+      ->transform(one_of<DrawFormat>({{"jsonl", DrawFormat::kJsonLines}, {"csv", DrawFormat::kCsv}}));
   command.add_option("--report", options.report_file, "write a page with pictures of the draws")
       ->type_name("FILE.html");
   sampling.jobs = std::max(1U, std::thread::hardware_concurrency());

@@ -63,6 +63,9 @@ struct Options {
 
 /// Adds the options that every subcommand shares.
 void add_program_options(CLI::App& command, Options& options);
+/// --timeout and --memory.
+void add_limit_options(CLI::App& command, Options& options);
+void add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& help);
 /// Adds the options of the subcommands that solve: which solver, and what is held fixed.
 void add_solver_options(CLI::App& command, Options& options);
 /// Adds the options of the subcommands that look for solutions.

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/one_of.h"
 #include "app/options.h"
 
 namespace solitaire::app {
@@ -9,6 +10,9 @@ namespace {
 
 using tiles::SamplerKind;
 using tiles::WeightsKind;
+
+/// Maps and sweeps are no more than that.
+constexpr int kMostRounds = 1'000'000'000;
 
 void add_map_options(CLI::App& command, tiles::JobOptions& options) {
   const auto extent = CLI::Range(1, 1 << 20);
@@ -74,13 +78,11 @@ void add_learning_options(CLI::App& command, tiles::JobOptions& options) {
           "--weights", options.weights,
           "fitted (default): patches become about as frequent as in the exemplars; step: a patch that an "
           "exemplar has weighs 1 + epsilon")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, WeightsKind>{{"fitted", WeightsKind::kFitted},
-                                                                             {"step", WeightsKind::kStep}})
-                      .description("fitted|step"));
+      ->transform(one_of<WeightsKind>({{"fitted", WeightsKind::kFitted}, {"step", WeightsKind::kStep}}));
 }
 
 void add_sampler_options(CLI::App& command, tiles::JobOptions& options) {
-  static const std::map<std::string, SamplerKind> kSamplers{
+  static const Words<SamplerKind> kSamplers{
       {"windows", SamplerKind::kWindows}, {"blockss", SamplerKind::kBlockSs}, {"wfc", SamplerKind::kWfc},
       {"raster", SamplerKind::kRaster},   {"mh", SamplerKind::kMh},           {"gibbs", SamplerKind::kGibbs},
       {"search", SamplerKind::kSearch}};
@@ -88,13 +90,17 @@ void add_sampler_options(CLI::App& command, tiles::JobOptions& options) {
       .add_option("--sampler", options.sampling.kind,
                   "windows (default, exact), blockss (Yeh et al. 2012), wfc, raster, mh, gibbs or search, to "
                   "compare with")
-      ->transform(
-          CLI::CheckedTransformer(kSamplers).description("windows|blockss|wfc|raster|mh|gibbs|search"));
-  command.add_option("--anneal", options.sampling.anneal,
-                     "windows: sweeps in which the weights grow to their full strength (default 80)");
-  command.add_option("--sweeps", options.sampling.sweeps, "windows: sweeps after those (default 40)");
-  command.add_option("--burn-in", options.sampling.burn_in,
-                     "blockss: samples of the chain before the one that is taken (default 5)");
+      ->transform(one_of(kSamplers));
+  command
+      .add_option("--anneal", options.sampling.anneal,
+                  "windows: sweeps in which the weights grow to their full strength (default 80)")
+      ->check(CLI::Range(0, kMostRounds));
+  command.add_option("--sweeps", options.sampling.sweeps, "windows: sweeps after those (default 40)")
+      ->check(CLI::Range(0, kMostRounds));
+  command
+      .add_option("--burn-in", options.sampling.burn_in,
+                  "blockss: samples of the chain before the one that is taken (default 5)")
+      ->check(CLI::Range(0, kMostRounds));
   command
       .add_option_function<std::string>(
           "--blockss-start",
@@ -117,17 +123,18 @@ void add_tiles_options(CLI::App& command, Options& options) {
   TilesOptions& tiles_options = *options.tiles;
   tiles::JobOptions& job = tiles_options.job;
   command
-      .add_option(
-          "exemplars", job.inputs,
-          "small maps to learn from (.txt, .png, .json, .tmx, .tmj, .vox), or a problem file (.tiles.json)")
+      .add_option("exemplars", job.inputs,
+                  "small maps to learn from (.txt, .png, .json, .tmx, .tmj, .vox), tilesets with terrains "
+                  "(.tsx, .tsj), or "
+                  "a problem file (.tiles.json)")
       ->required();
   command.add_flag("--debroglie", job.debroglie, "the file is a configuration of DeBroglie (.json)");
   add_map_options(command, job);
   add_learning_options(command, job);
   add_sampler_options(command, job);
-  command.add_option("-n,--maps", job.maps, "how many maps (default 1)");
+  command.add_option("-n,--maps", job.maps, "how many maps (default 1)")->check(CLI::Range(0, kMostRounds));
   command.add_option("-o,--output", options.output, "the folder to write to (default out)");
-  command.add_option("--seed", job.sampling.seed, "another seed gives other maps");
+  add_seed_option(command, job.sampling.seed, "another seed gives other maps");
   command.add_option("--jobs", job.jobs, "maps made at a time (default 1)")->check(CLI::Range(1, 256));
   command
       .add_option("--format", tiles_options.formats,
@@ -141,11 +148,10 @@ void add_tiles_options(CLI::App& command, Options& options) {
           "(EXT_mesh_gpu_instancing; default where a map has more than 20000 tiles); plain, the same "
           "without names (default from 200000); or chunks, for importers that know no instances: one for "
           "all that look alike in 32x32 tiles")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Nodes>{{"each", Nodes::kOneEach},
-                                                                       {"instances", Nodes::kInstances},
-                                                                       {"plain", Nodes::kPlainInstances},
-                                                                       {"chunks", Nodes::kChunks}})
-                      .description("each|instances|plain|chunks"));
+      ->transform(one_of<Nodes>({{"each", Nodes::kOneEach},
+                                 {"instances", Nodes::kInstances},
+                                 {"plain", Nodes::kPlainInstances},
+                                 {"chunks", Nodes::kChunks}}));
   command
       .add_option("--pixels", tiles_options.pixels, "pixels of a tile without icon in .png files (default 8)")
       ->check(CLI::Range(1, 256));
@@ -155,8 +161,7 @@ void add_tiles_options(CLI::App& command, Options& options) {
   command.add_option("--check", tiles_options.checked, "make nothing; say what is wrong with this map");
   command.add_flag("--explain", tiles_options.explained, "make nothing; say why there is no map");
   command.add_flag("--count", tiles_options.counted, "make nothing; say how many maps there are");
-  command.add_option("--timeout", options.timeout, "end after so many seconds, keeping what was made");
-  command.add_option("--memory", options.memory, "end when the process takes more megabytes");
+  add_limit_options(command, options);
   command.add_flag("-q,--quiet", options.quiet, "no summary");
 }
 

@@ -59,6 +59,22 @@ TEST_CASE("tiles: a .glb has a node for each tile, or one for all that look alik
   CHECK(instances.size() > plain.size() + 20'000);
 }
 
+TEST_CASE("tiles: what an option cannot have is answered with what it can") {
+  const auto error = [](const std::string& option, const std::string& word) {
+    const Outcome outcome = run_solitaire({"tiles", "wood.txt", option, word});
+    CHECK(outcome.status == 2);
+    return outcome.err.substr(0, outcome.err.find('\n'));
+  };
+  CHECK(error("--sampler", "plugs") ==
+        "--sampler: plugs not in {windows,blockss,wfc,raster,mh,gibbs,search}");
+  CHECK(error("--weights", "0") == "--weights: 0 not in {fitted,step}");
+  CHECK(error("--nodes", "all") == "--nodes: all not in {each,instances,plain,chunks}");
+  CHECK(error("--seed", "-1") == "--seed: '-1' is not a whole number from 0, of at most 19 digits");
+  CHECK(error("--sweeps", "-1").ends_with("not in range 0 to 1000000000"));
+  CHECK(error("--timeout", "-1") == "--timeout: '-1' is not a number of seconds from 0");
+  CHECK(error("--memory", "nan") == "--memory: 'nan' is not a number of megabytes above 0");
+}
+
 TEST_CASE("tiles: a model that there is not is told at the end") {
   const Workplace place;
   place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
