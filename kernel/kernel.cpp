@@ -255,12 +255,12 @@ std::span<const double> Kernel::block_numbers() {
 
 bool Kernel::set_block(std::span<const double> values) {
   if (underived_) derive();
-  std::vector<double> before;
-  for (const ChoiceNumber each : program_.block.choices) before.push_back(value(each).f);
+  former_block_.clear();
+  for (const ChoiceNumber each : program_.block.choices) former_block_.push_back(value(each).f);
   proposed_bits_.reset();
   stale_ = true;
   if (change_block(values)) return true;
-  change_block(before);
+  change_block(former_block_);
   return false;
 }
 

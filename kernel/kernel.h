@@ -141,9 +141,10 @@ class Kernel {
   std::vector<Distribution> domains_;  // of the choices, as they were asked for last; those that are fixed
   std::vector<Scalar> cells_;          // the program's, and behind them room for the longest slice
 
-  std::vector<double> numbers_;  // that were asked for last
-  bool stale_ = false;           // whether set() has left something behind
-  bool underived_ = true;        // whether the kept cells of forms are to be made anew
+  std::vector<double> numbers_;       // that were asked for last
+  std::vector<double> former_block_;  // of set_block(), to put back
+  bool stale_ = false;                // whether set() has left something behind
+  bool underived_ = true;             // whether the kept cells of forms are to be made anew
 
   std::size_t proposed_ = 0;  // the number of a slice
   std::optional<std::int64_t>

@@ -69,15 +69,22 @@ TEST_CASE("models: exact answers, on traces") {
   for (const Model& model : models) check(model);
 }
 
-/// The summary of a line through points far from 0, which hardly says anything about its slope and its
-/// intercept by themselves. The slope's mean is compared with the exact one.
-nlohmann::json line_far_away(const std::string& priors, double precision_of_a, double precision_of_b) {
+/// Samples a line through points far from 0, which hardly says anything about its slope and its intercept by
+/// themselves. The first line of the program has their priors.
+Outcome sample_line_far_away(const std::string& priors, const std::vector<std::string>& options) {
   const Workplace place;
   const std::string script = place.file(
       "far.sol", priors +
-                     "for i in 1..20 { x = 1000 + i; observe(Normal(a + b * (1.0 * x), 1), 3.0 * i); }\n"
+                     "\nfor i in 1..20 { x = 1000 + i; observe(Normal(a + b * (1.0 * x), 1), 3.0 * i); }\n"
                      "return a, b;\n");
-  const Outcome outcome = run_solitaire({"sample", script, "-n", "4000", "--json", "-q"});
+  std::vector<std::string> arguments = {"sample", script, "-q"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return run_solitaire(arguments);
+}
+
+/// The summary of such a line, whose slope's mean is compared with the exact one.
+nlohmann::json line_far_away(const std::string& priors, double precision_of_a, double precision_of_b) {
+  const Outcome outcome = sample_line_far_away(priors, {"-n", "4000", "--json"});
   REQUIRE(outcome.status == 0);
   const auto summary = nlohmann::json::parse(outcome.out);
   // With X the points and P the precisions of the priors, the posterior's precision is X'X + P.
@@ -95,29 +102,35 @@ bool by_trajectories(const nlohmann::json& summary) {
 }
 
 TEST_CASE("models: a slope and an intercept that single steps can hardly move are drawn together") {
-  const auto summary = line_far_away("a = normal(0, 1000); b = normal(0, 100);\n", 1e-6, 1e-4);
+  const auto summary = line_far_away("a = normal(0, 1000); b = normal(0, 100);", 1e-6, 1e-4);
   CHECK(effective(summary) > 3000);
   CHECK(!by_trajectories(summary));
 }
 
 TEST_CASE("models: where their density has no known form, they move along its slopes") {
   const auto summary =
-      line_far_away("a = normal(0, 1000); b = normal(0, 100); factor(-abs(b) / 1e6);\n", 1e-6, 1e-4);
+      line_far_away("a = normal(0, 1000); b = normal(0, 100); factor(-abs(b) / 1e6);", 1e-6, 1e-4);
   CHECK(effective(summary) > 300);
   CHECK(by_trajectories(summary));
 }
 
 TEST_CASE("models: a start where the density is tiny leaves no rounding in the score") {
-  const Workplace place;
-  const std::string script =
-      place.file("far.sol",
-                 "a = uniform(-10000, 10000); b = uniform(-1000, 1000);\n"
-                 "for i in 1..20 { x = 1000 + i; observe(Normal(a + b * (1.0 * x), 1), 3.0 * i); }\n"
-                 "return a, b;\n");
   // At the end the density of a run is compared with the trace's.
-  const Outcome outcome = run_solitaire({"sample", script, "-n", "4000", "--seed", "1", "-q"});
+  const Outcome outcome = sample_line_far_away("a = uniform(-10000, 10000); b = uniform(-1000, 1000);",
+                                               {"-n", "4000", "--seed", "1"});
   CAPTURE(outcome.err);
   CHECK(outcome.status == 0);
+}
+
+TEST_CASE("models: where a trajectory comes to an infinite density the program is wrong") {
+  // No start is near the line, and steps along one of the two hardly move on it.
+  const Outcome outcome = sample_line_far_away(
+      "a = normal(0, 1000); b = normal(0, 100); "
+      "factor(cond(abs(a + 1010.5 * b - 31.5) < 5 and b > 2.95, exp(1000 * b), -abs(b) / 1e6));",
+      {"-n", "400", "--seed", "1"});
+  CHECK(outcome.status == 3);
+  CHECK(outcome.err.find("1:42: error: 'factor' makes an execution infinitely probable") !=
+        std::string::npos);
 }
 
 TEST_CASE("models: floats that hang together by their labels alone do not move together") {
