@@ -96,7 +96,9 @@ MapLook look_of(const tiles::Job& job, const Options& options, const std::string
                 AssetLibrary& assets) {
   MapLook look{name, job.shown_tiles(), job.file("png", options.tiles->pixels, options.output), std::nullopt};
   const bool is_asked_for = std::ranges::count(options.tiles->formats, "glb") > 0;
-  const auto has_shape = [](const tiles::ShownTile& tile) { return !tile.asset.empty() || tile.at[2] > 0; };
+  const auto has_shape = [](const tiles::ShownTile& tile) {
+    return !tile.asset.empty() || tile.model || tile.at[2] > 0;
+  };
   if (is_asked_for || std::ranges::any_of(look.tiles, has_shape))
     look.scene = tiles_scene(look.tiles, name, assets);
   look.nodes = nodes_of(*options.tiles, look.tiles.size());

@@ -168,6 +168,13 @@ const Asset* AssetLibrary::find(const std::string& name, const std::string& fold
   return by_name_[key] = asset;
 }
 
+const Asset& AssetLibrary::made(const std::string& name, const std::function<Asset()>& make) {
+  if (const auto known = made_.find(name); known != made_.end()) return known->second;
+  const Asset& asset = made_.emplace(name, make()).first->second;
+  by_name_[{name, ""}] = &asset;
+  return asset;
+}
+
 fs::path AssetLibrary::file_of(const std::string& name, const std::string& folder) const {
   std::error_code none;
   const fs::path beside = script_folder_ / folder / name;

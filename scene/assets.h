@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -51,6 +52,10 @@ class AssetLibrary {
   /// broken or not supported. The asset lives as long as the library.
   const Asset* find(const std::string& name, const std::string& folder = "");
 
+  /// Returns an asset that no file has: the one that `make` returned when it was first asked for by this
+  /// name. From then on `find` knows the name, too, if no folder is given.
+  const Asset& made(const std::string& name, const std::function<Asset()>& make);
+
   /// Returns what there is to tell of the assets that were looked for so far, a line each: names that no
   /// asset has, and what models have that is not shown.
   std::vector<std::string> notes() const;
@@ -64,6 +69,7 @@ class AssetLibrary {
   std::filesystem::path script_folder_;
   std::map<std::pair<std::string, std::string>, const Asset*> by_name_;  // and folder
   std::map<std::filesystem::path, Asset> by_file_;
+  std::map<std::string, Asset> made_;
 };
 
 }  // namespace solitaire

@@ -59,6 +59,31 @@ TEST_CASE("tiles: a .glb has a node for each tile, or one for all that look alik
   CHECK(instances.size() > plain.size() + 20'000);
 }
 
+TEST_CASE("tiles: maps whose tiles are models of voxels show them, and are one model") {
+  const Workplace place;
+  // MagicaVoxel's form of a model of 2x2x2 with a voxel in a corner, whose colour is the palette's.
+  const std::string size = {2, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0}, voxels = {1, 0, 0, 0, 1, 0, 0, 5};
+  const auto chunk = [](const std::string& id, const std::string& content, char inside = 0) {
+    return id + std::string{static_cast<char>(content.size()), 0, 0, 0, inside, 0, 0, 0} + content;
+  };
+  const std::string chunks = chunk("SIZE", size) + chunk("XYZI", voxels);
+  place.file("post.vox", std::string{'V', 'O', 'X', ' ', -106, 0, 0, 0} +
+                             chunk("MAIN", "", static_cast<char>(chunks.size())) + chunks);
+  place.file("wood.txt", "T.TT.\n..T.T\nTT..T\n");
+  const std::string problem = place.file("wood.tiles.json", R"({"exemplars": ["wood.txt"], "size": [6, 5],
+    "tiles": [{"name": "tree", "char": "T", "voxels": "post.vox"},
+              {"name": "grass", "char": ".", "voxels": "post.vox", "height": 0}]})");
+  const Outcome outcome =
+      run_solitaire({"tiles", problem, "--weights", "step", "--format", "vox,glb", "-o", place / "out"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.err.find("no model") == std::string::npos);
+  const std::string model = bytes_of(place / "out/wood-0001.vox");
+  const std::size_t extent = model.find("SIZE") + 12;
+  CHECK(model.substr(extent, 12) == std::string{12, 0, 0, 0, 10, 0, 0, 0, 2, 0, 0, 0});
+  CHECK(bytes_of(place / "out/wood-0001.glb").find("tree.vox") != std::string::npos);
+}
+
 TEST_CASE("tiles: what an option cannot have is answered with what it can") {
   const auto error = [](const std::string& option, const std::string& word) {
     const Outcome outcome = run_solitaire({"tiles", "wood.txt", option, word});

@@ -9,9 +9,11 @@
 #include "engines/tiles/job/job.h"
 #include "engines/tiles/model/picture.h"
 #include "engines/tiles/read/lenient_json.h"
+#include "engines/tiles/read/vox.h"
 #include "engines/tiles/request/read_style.h"
 #include "engines/tiles/request/request_error.h"
 #include "engines/tiles/write/png.h"
+#include "engines/tiles/write/vox.h"
 #include "tests/tiles/folder.h"
 
 namespace solitaire::tiles {
@@ -202,6 +204,82 @@ TEST_CASE("DeBroglie: tiles whose pictures match at their sides are adjacent") {
   CHECK(pairs(R"(, "autoAdjacencyTolerance": 1)").size() == 9);
 }
 
+/// Tiles that are models of 2x2x2 voxels, as MagicaVoxel has them: y runs into the depth.
+struct VoxelTiles : Samples {
+  VoxelTiles() {
+    VoxelModel model(Size{{2, 2, 2}});
+    write("air.vox", write_vox(model));
+    model.colors[model.size.site({1, 0, 0})] = model.colors[model.size.site({1, 1, 0})] = 7;
+    write("side.vox", write_vox(model));  // a wall to the right
+    model.palette.at(7) = kRed;
+    write("red.vox", write_vox(model));
+    write("bar.vox", write_vox(VoxelModel(Size{{2, 1, 2}})));
+    write("flat.vox", write_vox(VoxelModel(Size{{2, 2, 1}})));
+  }
+
+  std::string configuration(const std::string& members) const {
+    return R"({"srcType": "voxSet", "rotationalSymmetry": 4, "rotationTreatment": "generated", "autoAdjacency": true,
+      "tiles": [{"src": "air.vox", "value": "air", "tileSymmetry": "X"},
+                {"src": "side.vox", "value": "side", "tileSymmetry": "E"}], )" +
+           members + "}";
+  }
+  /// Returns the map of such a configuration as a model.
+  VoxelModel model(const std::string& members) const {
+    Job job(options(configuration(members)));
+    std::string bytes;
+    CHECK(job.run([&](std::uint64_t) {
+      bytes = job.file("vox", 1, ".");
+      for (const ShownTile& tile : job.shown_tiles()) {
+        CHECK(tile.name.starts_with("side"));  // air has nothing to show
+        CHECK(tile.model->voxels.size() == 2);
+      }
+    }) == JobEnding::kDone);
+    return read_voxel_model("map", bytes);
+  }
+  std::string error_of(const std::string& tiles) const {
+    return error(R"({"srcType": "voxSet", "autoAdjacency": true, "tiles": [)" + tiles + "]}");
+  }
+};
+
+TEST_CASE("DeBroglie: tiles that are models of voxels are adjacent where their sides are equal") {
+  const VoxelTiles tiles;
+  // Beside the wall is the other half of it, and above both is air, since nothing stands on air.
+  const VoxelModel map = tiles.model(R"("width": 2, "height": 1, "depth": 2,
+    "constraints": [{"type": "fixedTile", "tile": "side", "point": {"x": 0, "y": 0, "z": 0}}])");
+  CHECK(map.size == Size{{4, 2, 4}});
+  for_each_point(map.size, [&](const Point& at) {
+    CHECK(map.at(at) == (at[2] == 0 && (at[0] == 1 || at[0] == 2) ? 7 : 0));
+  });
+}
+
+TEST_CASE("DeBroglie: tiles that are models of voxels turn from the x axis to the y axis of the model") {
+  const VoxelTiles tiles;
+  const auto turned = [&](const std::string& tile) {
+    return tiles.model(
+        R"("width": 1, "height": 1, "depth": 1, "constraints": [{"type": "fixedTile", "tile": ")" + tile +
+        R"(", "point": {"x": 0, "y": 0, "z": 0}}])");
+  };
+  const auto row = [](const VoxelModel& model, int y) { return model.at({0, y, 0}) + model.at({1, y, 0}); };
+  CHECK(row(turned("side!90"), 0) == 14);  // the far one
+  CHECK(row(turned("side!270"), 1) == 14);
+}
+
+TEST_CASE("DeBroglie: models of voxels that do not fit together are told") {
+  const VoxelTiles tiles;
+  const std::string air = R"({"src": "air.vox", "value": "air"}, )";
+  CHECK(tiles.error_of(air + R"({"src": "blue.png", "value": "b"})") ==
+        "c.json: 'tiles[1].src' is no .vox, as all tiles of a voxSet are");
+  CHECK(tiles.error(R"({"tiles": [{"src": "air.vox", "value": "air"}]})") ==
+        "c.json: 'tiles[0].src' is no .png; for .vox say \"srcType\": \"voxSet\"");
+  CHECK(tiles.error_of(R"({"src": "bar.vox", "value": "b"})") ==
+        "the model of 'b' stands on 2x1 voxels, which is no square");
+  CHECK(tiles.error_of(air + R"({"src": "flat.vox", "value": "f"})") ==
+        "the model of 'f' has 2x2 voxels, but that of 'air' 2x2x2; all are as large");
+  CHECK(tiles.error_of(R"({"src": "side.vox", "value": "s"}, {"src": "red.vox", "value": "r"})") ==
+        "the model of 'r' has another colour 7 than models before it; all have one palette");
+  CHECK(tiles.error_of(R"({"src": "none.vox", "value": "n"})").find("none.vox") != std::string::npos);
+}
+
 TEST_CASE("DeBroglie: what has no meaning here is told with its place") {
   const Samples samples;
   const auto error = [&](const std::string& members) {
@@ -227,7 +305,8 @@ TEST_CASE("DeBroglie: what has no meaning here is told with its place") {
   CHECK(samples.error(R"({"src": "/etc/passwd"})").find("is no path within") != std::string::npos);
   CHECK(samples.error(R"({"src": "way.png", "baseDirectory": ".."})").find("is no path within") !=
         std::string::npos);
-  CHECK(samples.error(R"({"srcType": "voxSet"})").find("are drawn as pictures") != std::string::npos);
+  CHECK(samples.error(R"({"srcType": "hexSet"})") ==
+        "c.json: 'srcType' is none of sample, bitmapSet and voxSet");
   CHECK(samples.error("{\"src\": \"way.png\",\n  // here\n  \"width\": 4 4}") ==
         "c.json:3:14: this is no JSON");
   CHECK(samples.error("{}") == "there is no exemplar to learn from, and no tile has edges");

@@ -114,11 +114,6 @@ std::vector<FarPoint> chunks_of(const JobOptions& options, const Size& size) {
   return chunks;
 }
 
-std::string size_text(const Size& size) {
-  return size.depth() > 1 ? fmt::format("{}x{}x{}", size.width(), size.height(), size.depth())
-                          : fmt::format("{}x{}", size.width(), size.height());
-}
-
 /// Returns the share that each tile has of a map.
 nlohmann::ordered_json shares_of(const Grid& map, const Tileset& tileset) {
   std::vector<std::size_t> counts(tileset.size());
@@ -316,16 +311,47 @@ std::string Job::file(const std::string& format, int pixels, const std::filesyst
   return write_json(sample.map, tileset, about);
 }
 
+namespace {
+
+std::array<double, 3> shown_color(const Rgba& color) {
+  std::array<double, 3> shown{};
+  for (std::size_t channel = 0; channel < 3; ++channel) shown.at(channel) = color.at(channel) / 255.0;
+  return shown;
+}
+
+std::shared_ptr<const ShownModel> shown_model(const VoxelModel& voxels) {
+  ShownModel model{voxels.size.width(), voxels.size.depth(), {}};
+  for_each_point(voxels.size, [&](const Point& at) {
+    if (voxels.at(at) == 0) return;
+    model.voxels.push_back(
+        {{at[0], voxels.size.height() - 1 - at[1], at[2]}, shown_color(voxels.color(voxels.at(at)))});
+  });
+  return std::make_shared<const ShownModel>(std::move(model));
+}
+
+/// Returns the models by tile; nothing for a tile without one.
+std::vector<std::shared_ptr<const ShownModel>> shown_models(const Tileset& tileset) {
+  std::vector<std::shared_ptr<const ShownModel>> models(tileset.size());
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    const auto& voxels = tileset[static_cast<Tile>(tile)].voxels;
+    if (voxels) models[tile] = shown_model(*voxels);
+  }
+  return models;
+}
+
+}  // namespace
+
 std::vector<ShownTile> Job::shown_tiles() const {
+  const auto models = shown_models(state_->style->tileset);
   const Grid& map = state_->sample.map;
   std::vector<ShownTile> shown;
   for_each_point(map.size, [&](const Point& at) {
     if (map.at(at) == kHole) return;
     const TileKind& kind = state_->style->tileset[map.at(at)];
-    if (kind.height == 0 || kind.color[3] == 0) return;
-    ShownTile tile{kind.name, at, kind.asset, kind.turn, kind.height, {}};
+    const auto& model = models[map.at(at)];
+    if (kind.height == 0 || kind.color[3] == 0 || (model && model->voxels.empty())) return;
+    ShownTile tile{kind.name, at, kind.asset, kind.turn, kind.height, shown_color(kind.color), model};
     tile.at[1] = map.size.height() - 1 - at[1];
-    for (std::size_t channel = 0; channel < 3; ++channel) tile.color[channel] = kind.color[channel] / 255.0;
     shown.push_back(std::move(tile));
   });
   return shown;

@@ -18,6 +18,18 @@ enum class JobEnding : std::uint8_t {
   kStopped,
 };
 
+/// A cube of a tile's model.
+struct ShownVoxel {
+  std::array<int, 3> at;  // as in ShownTile, but in voxels from the tile's lowest corner
+  std::array<double, 3> color;
+};
+
+/// The cubes of a tile; there is at least one.
+struct ShownModel {
+  int across, layers;  // voxels along the sides of the tile, and up
+  std::vector<ShownVoxel> voxels;
+};
+
 /// A tile of a map as a scene shows it.
 struct ShownTile {
   std::string name;
@@ -26,6 +38,7 @@ struct ShownTile {
   int turn;               // quarter turns of the model
   double height;          // of the box, in sides of a tile
   std::array<double, 3> color;
+  std::shared_ptr<const ShownModel> model;  // of cubes, which tiles of a kind share; or none
 };
 
 /// Makes the maps that somebody asks for, or answers questions about them. This is the face of the tile

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace solitaire::tiles {
@@ -49,6 +50,12 @@ struct Size {
   }
   friend bool operator==(const Size&, const Size&) = default;
 };
+
+/// Returns "4x3", or "4x3x2" if there are layers.
+inline std::string size_text(const Size& size) {
+  const std::string flat = std::to_string(size.width()) + "x" + std::to_string(size.height());
+  return size.depth() > 1 ? flat + "x" + std::to_string(size.depth()) : flat;
+}
 
 /// A tile, or a hole, at every site.
 struct Grid {

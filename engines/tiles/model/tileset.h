@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "engines/tiles/model/grid.h"
 #include "engines/tiles/model/picture.h"
+#include "engines/tiles/model/voxel_model.h"
 
 namespace solitaire::tiles {
 
@@ -34,9 +36,10 @@ struct TileKind {
       gid;                       // in the lowest layer of the Tiled map that it was read from, with its flags
   std::vector<TiledPart> parts;  // by visible layer of that map, from below
   double bias = 1;               // multiplies the weight of each occurrence
-  std::optional<std::uint8_t> voxel;  // its colour's number in .vox models; 0 is empty
-  std::string asset;                  // the model that scenes show; empty: a box of the colour
-  int turn = 0;                       // quarter turns of the model, counter-clockwise seen from above
+  std::optional<std::uint8_t> voxel;         // its colour's number in .vox models; 0 is empty
+  std::shared_ptr<const VoxelModel> voxels;  // its own model, as large as those of the other tiles; or none
+  std::string asset;                         // the model that scenes show; empty: a box of the colour
+  int turn = 0;                              // quarter turns of the model, counter-clockwise seen from above
   /// The labels of its sides in the order of Sides, read clockwise; without any it has none. Two tiles may be
   /// beside each other where their sides have labels that meet.
   std::array<std::string, 2 * kAxes> edges;

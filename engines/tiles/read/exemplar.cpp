@@ -23,4 +23,12 @@ Grid read_exemplar(const std::filesystem::path& file, int side, Tileset& tileset
       name, fmt::format("'{}' is no format of maps; .txt, .png, .tmx, .tmj, .vox and .json are", ending));
 }
 
+std::vector<Grid> read_exemplars(const std::filesystem::path& file, int side, Tileset& tileset, bool open) {
+  if (file.extension() != ".vox") return {read_exemplar(file, side, tileset, open)};
+  std::vector<Grid> grids;
+  for (const VoxelModel& model : read_voxel_models(file.string(), read_bytes(file)))
+    grids.push_back(grid_of(file.string(), model, tileset, open));
+  return grids;
+}
+
 }  // namespace solitaire::tiles

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "base/file_error.h"
-#include "engines/tiles/model/palette.h"
 
 namespace solitaire::tiles {
 namespace {
@@ -40,19 +39,20 @@ class VoxBytes {
   std::string_view rest_;
 };
 
-/// Collects the chunks of one model.
+/// Collects the chunks of models.
 class VoxReader {
  public:
-  VoxReader(const std::string& name, Tileset& tileset, bool open)
-      : name_(name), tileset_(tileset), open_(open) {}
+  explicit VoxReader(const std::string& name) : name_(name) {}
 
-  Grid read(std::string_view bytes) {
+  std::vector<VoxelModel> read(std::string_view bytes) {
     VoxBytes file(name_, bytes);
     if (bytes.size() < 4 || file.take(4) != "VOX ") throw FileError(name_, "is no model of MagicaVoxel");
     file.word();  // the version: what is read here is the same in all of them
     while (!file.empty()) read_chunk(file);
-    if (!voxels_) throw FileError(name_, "has no voxels");
-    return grid();
+    if (size_) throw FileError(name_, "has a size without voxels");
+    if (models_.empty()) throw FileError(name_, "has no voxels");
+    for (VoxelModel& model : models_) model.palette = palette_;
+    return std::move(models_);
   }
 
  private:
@@ -66,34 +66,31 @@ class VoxReader {
     if (id == "RGBA") read_palette(chunk);
   }
 
-  /// What comes after the voxels of a model belongs to another one.
-  void require_one_model() const {
-    if (voxels_) throw FileError(name_, "has several models; save each to a file of its own");
-  }
-
+  /// The size of the model whose voxels come next.
   void read_size(VoxBytes& chunk) {
-    require_one_model();
-    for (int& extent : size_.extent) {
+    size_.emplace();
+    for (int& extent : size_->extent) {
       const std::uint32_t length = chunk.word();
       if (length < 1 || length > kLongestSide) throw FileError(name_, "has a size that cannot be");
       extent = static_cast<int>(length);
     }
-    if (size_.volume() > kMostSites) throw FileError(name_, "is too large");
-    has_size_ = true;
+    volume_ += size_->volume();
+    if (volume_ > kMostSites) throw FileError(name_, "is too large");
   }
 
   void read_voxels(VoxBytes& chunk) {
-    require_one_model();
-    if (!has_size_) throw FileError(name_, "has voxels before their size");
-    voxels_.emplace(size_.volume());
+    if (!size_) throw FileError(name_, "has voxels before their size");
+    VoxelModel model(*size_);
     for (std::uint32_t left = chunk.word(); left > 0; --left) {
       const int x = chunk.byte(), y = chunk.byte(), z = chunk.byte();
       const std::uint8_t color = chunk.byte();
-      if (x >= size_.width() || y >= size_.height() || z >= size_.depth()) {
+      if (x >= size_->width() || y >= size_->height() || z >= size_->depth()) {
         throw FileError(name_, fmt::format("has a voxel at ({},{},{}), outside of its size", x, y, z));
       }
-      (*voxels_)[size_.site({x, size_.height() - 1 - y, z})] = color;
+      model.colors[size_->site({x, size_->height() - 1 - y, z})] = color;
     }
+    models_.push_back(std::move(model));
+    size_.reset();
   }
 
   void read_palette(VoxBytes& chunk) {
@@ -104,48 +101,57 @@ class VoxReader {
     }
   }
 
-  Grid grid() {
-    std::array<std::optional<Tile>, 256> tiles;
-    Grid grid(size_);
-    for (std::size_t site = 0; site < voxels_->size(); ++site) {
-      const std::uint8_t color = (*voxels_)[site];
-      if (!tiles[color]) tiles[color] = tile_of(color);
-      grid[site] = *tiles[color];
-    }
-    return grid;
-  }
-
-  Tile tile_of(std::uint8_t color) {
-    const std::string name = color == 0 ? "empty" : fmt::format("voxel {}", color);
-    for (std::size_t tile = 0; tile < tileset_.size(); ++tile) {
-      const TileKind& kind = tileset_[static_cast<Tile>(tile)];
-      if (kind.voxel ? *kind.voxel == color : kind.name == name) return static_cast<Tile>(tile);
-    }
-    if (!open_) throw FileError(name_, fmt::format("has '{}', which is no tile of the tileset", name));
-    TileKind kind;
-    kind.name = name;
-    kind.voxel = color;
-    kind.color = color == 0 ? Rgba{} : palette_[color] ? *palette_[color] : palette_color(color);
-    try {
-      return tileset_.add(std::move(kind));
-    } catch (const std::length_error& error) {
-      throw FileError(name_, error.what());
-    }
-  }
-
   const std::string& name_;
-  Tileset& tileset_;
-  bool open_;
-  Size size_;
-  bool has_size_ = false;
-  std::optional<std::vector<std::uint8_t>> voxels_;
-  std::array<std::optional<Rgba>, 256> palette_;
+  std::optional<Size> size_;
+  std::size_t volume_ = 0;  // of all sizes
+  std::vector<VoxelModel> models_;
+  VoxelModel::Palette palette_{};
 };
+
+Tile tile_of(const std::string& name, const VoxelModel& model, std::uint8_t color, Tileset& tileset,
+             bool open) {
+  const std::string called = color == 0 ? "empty" : fmt::format("voxel {}", color);
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    const TileKind& kind = tileset[static_cast<Tile>(tile)];
+    if (kind.voxel ? *kind.voxel == color : kind.name == called) return static_cast<Tile>(tile);
+  }
+  if (!open) throw FileError(name, fmt::format("has '{}', which is no tile of the tileset", called));
+  TileKind kind;
+  kind.name = called;
+  kind.voxel = color;
+  kind.color = model.color(color);
+  try {
+    return tileset.add(std::move(kind));
+  } catch (const std::length_error& error) {
+    throw FileError(name, error.what());
+  }
+}
 
 }  // namespace
 
+std::vector<VoxelModel> read_voxel_models(const std::string& name, std::string_view bytes) {
+  return VoxReader(name).read(bytes);
+}
+
+VoxelModel read_voxel_model(const std::string& name, std::string_view bytes) {
+  std::vector<VoxelModel> models = read_voxel_models(name, bytes);
+  if (models.size() > 1) throw FileError(name, "has several models; save each to a file of its own");
+  return std::move(models.front());
+}
+
+Grid grid_of(const std::string& name, const VoxelModel& model, Tileset& tileset, bool open) {
+  std::array<std::optional<Tile>, 256> tiles;
+  Grid grid(model.size);
+  for (std::size_t site = 0; site < model.colors.size(); ++site) {
+    const std::uint8_t color = model.colors[site];
+    if (!tiles[color]) tiles[color] = tile_of(name, model, color, tileset, open);
+    grid[site] = *tiles[color];
+  }
+  return grid;
+}
+
 Grid read_vox(const std::string& name, std::string_view bytes, Tileset& tileset, bool open) {
-  return VoxReader(name, tileset, open).read(bytes);
+  return grid_of(name, read_voxel_model(name, bytes), tileset, open);
 }
 
 }  // namespace solitaire::tiles

@@ -20,22 +20,38 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-std::string debroglie_tile(JsonObject& object, const char* member, const nlohmann::json& value) {
+namespace {
+
+/// Returns the name of the tile that is turned the other way: "wall!270" for "wall!90", "wall!x90" for
+/// "wall!x270".
+std::string turned_the_other_way(const std::string& name) {
+  const std::size_t sign = name.rfind('!');
+  if (sign == std::string::npos) return name;
+  const std::size_t from = name.find_first_not_of("!x", sign);
+  const std::string turn = from == std::string::npos ? "" : name.substr(from);
+  return turn == "90" ? name.substr(0, from) + "270" : turn == "270" ? name.substr(0, from) + "90" : name;
+}
+
+}  // namespace
+
+std::string debroglie_tile(const DebroglieMap& map, JsonObject& object, const char* member,
+                           const nlohmann::json& value) {
   if (value.is_number_integer()) return value.dump();
   if (!value.is_string()) object.fail(member, "has what is neither the name nor the number of a tile");
   std::string name = value.get<std::string>();
   if (name.starts_with('#')) name = in_small_letters(std::move(name));
   if (name.ends_with("!x0")) name.pop_back();
   if (name.ends_with("!0")) name.resize(name.size() - 2);
-  return name;
+  return map.is_flipped ? turned_the_other_way(name) : name;
 }
 
-std::vector<std::string> debroglie_tiles(JsonObject& object, const char* tiles, const char* tile) {
-  if (object.has(tile)) return {debroglie_tile(object, tile, object.at(tile))};
+std::vector<std::string> debroglie_tiles(const DebroglieMap& map, JsonObject& object, const char* tiles,
+                                         const char* tile) {
+  if (object.has(tile)) return {debroglie_tile(map, object, tile, object.at(tile))};
   const nlohmann::json& list = object.at(tiles);
   if (!list.is_array()) object.fail(tiles, "is no list of tiles");
   std::vector<std::string> names;
-  for (const nlohmann::json& each : list) names.push_back(debroglie_tile(object, tiles, each));
+  for (const nlohmann::json& each : list) names.push_back(debroglie_tile(map, object, tiles, each));
   return names;
 }
 
@@ -68,8 +84,8 @@ class DebroglieReader {
     read_tiles();
     read_adjacencies();
     if (file_.has("ground"))
-      add_debroglie_ground(debroglie_tile(file_, "ground", file_.at("ground")), name_ + ": 'ground'", map_,
-                           request_);
+      add_debroglie_ground(debroglie_tile(map_, file_, "ground", file_.at("ground")), name_ + ": 'ground'",
+                           map_, request_);
     for (JsonObject& each : file_.objects("constraints")) add_debroglie_constraint(each, map_, request_);
     file_.require_no_more();
     return std::move(request_);
@@ -86,8 +102,10 @@ class DebroglieReader {
 
   void read_source() {
     if (file_.has("baseDirectory")) base_ = file_.text("baseDirectory");
-    if (file_.text_or("srcType", "") == "voxSet")
-      file_.fail("srcType", "is not read: tiles are drawn as pictures (.png)");
+    const std::string type = in_small_letters(file_.text_or("srcType", ""));
+    if (!type.empty() && type != "sample" && type != "bitmapset" && type != "voxset")
+      file_.fail("srcType", "is none of sample, bitmapSet and voxSet");
+    has_models_ = map_.is_flipped = map_.has_layers = type == "voxset";
     if (!file_.has("src")) return;
     ExemplarEntry sample;
     sample.file = path(file_, "src");
@@ -214,9 +232,12 @@ class DebroglieReader {
   /// A tile with a picture of its own.
   void read_drawn_tile(JsonObject& object) {
     TileEntry tile;
-    tile.name = debroglie_tile(object, "value", object.at("value"));
-    tile.icon_file = path(object, "src");
-    if (tile.icon_file.extension() != ".png") object.fail("src", "is no .png");
+    tile.name = debroglie_tile(map_, object, "value", object.at("value"));
+    fs::path& file = has_models_ ? tile.voxel_file : tile.icon_file;
+    file = path(object, "src");
+    if (file.extension() != (has_models_ ? ".vox" : ".png"))
+      object.fail("src", has_models_ ? "is no .vox, as all tiles of a voxSet are"
+                                     : "is no .png; for .vox say \"srcType\": \"voxSet\"");
     tile.bias = frequency_of(object);
     tile.where = object.where();
     for (const char* member : {"rotateCw", "rotateCcw", "reflectX", "reflectY"}) {
@@ -254,9 +275,9 @@ class DebroglieReader {
 
   /// Something about a tile of the sample.
   void read_sampled_tile(JsonObject& object) {
-    const std::string name = debroglie_tile(object, "value", object.at("value"));
+    const std::string name = debroglie_tile(map_, object, "value", object.at("value"));
     const auto image = [&](const char* member) {
-      return object.has(member) ? debroglie_tile(object, member, object.at(member)) : "";
+      return object.has(member) ? debroglie_tile(map_, object, member, object.at(member)) : "";
     };
     const std::string letter = object.text_or("tileSymmetry", "");
     if (!letter.empty() && letter != "X")
@@ -266,10 +287,12 @@ class DebroglieReader {
     data.bias = frequency_of(object);
     data.where = object.where();
     if (letter == "X") data.turned = data.mirrored = name;
-    if (object.has("rotateCw")) data.turned = image("rotateCw");
     if (object.has("reflectX")) data.mirrored = image("reflectX");
     if (object.has("reflectY")) data.upside_down = image("reflectY");
-    if (object.has("rotateCcw")) data_[image("rotateCcw")].turned = name;
+    const char* const clockwise = map_.is_flipped ? "rotateCcw" : "rotateCw";
+    const char* const back = map_.is_flipped ? "rotateCw" : "rotateCcw";
+    if (object.has(clockwise)) data.turned = image(clockwise);
+    if (object.has(back)) data_[image(back)].turned = name;
   }
 
   void add_remark(const std::string& name, const TileData& data) {
@@ -301,8 +324,8 @@ class DebroglieReader {
       AdjacencyEntry entry;
       const bool layers = each.has("above") || each.has("below"), down = each.has("up") || each.has("down");
       entry.axis = layers ? 2 : down ? 1 : 0;
-      entry.first = debroglie_tiles(each, layers ? "below" : down ? "up" : "left");
-      entry.second = debroglie_tiles(each, layers ? "above" : down ? "down" : "right");
+      entry.first = debroglie_tiles(map_, each, layers ? "below" : down ? "up" : "left");
+      entry.second = debroglie_tiles(map_, each, layers ? "above" : down ? "down" : "right");
       if (down && map_.is_flipped) std::swap(entry.first, entry.second);
       entry.where = each.where();
       each.has("comment");
@@ -316,6 +339,7 @@ class DebroglieReader {
   nlohmann::json json_;
   JsonObject file_;
   DebroglieMap map_;
+  bool has_models_ = false;               // of voxels, as tiles
   std::string treatment_;                 // of tiles of which nothing else is said
   std::map<std::string, TileData> data_;  // by tile of the sample
   Request request_;

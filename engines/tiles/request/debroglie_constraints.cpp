@@ -59,7 +59,7 @@ ConnectedEntry edged_network(JsonObject& object, const DebroglieMap& map, const 
       if (!each.is_string()) object.fail(member, fmt::format("has what is no direction for '{}'", name));
       letters += side_letter(object, member, each.get<std::string>(), map);
     }
-    network.open.emplace_back(debroglie_tile(object, member, name), letters);
+    network.open.emplace_back(debroglie_tile(map, object, member, name), letters);
   }
   network.symmetry = request.symmetry;
   return network;
@@ -70,7 +70,8 @@ ConnectedEntry network_of(JsonObject& object, const std::string& type, const Deb
                           const Request& request) {
   ConnectedEntry network;
   if (type == "path") {
-    network.tiles = object.has("pathTiles") ? debroglie_tiles(object, "pathTiles") : debroglie_tiles(object);
+    network.tiles =
+        object.has("pathTiles") ? debroglie_tiles(map, object, "pathTiles") : debroglie_tiles(map, object);
   } else {
     network = edged_network(object, map, request);
   }
@@ -136,7 +137,7 @@ std::vector<std::string> sides_of_text(JsonObject& object, const char* member, c
 }
 
 void add_border(JsonObject& object, const DebroglieMap& map, Request& request) {
-  BorderEntry border{{"all"}, debroglie_tiles(object)};
+  BorderEntry border{{"all"}, debroglie_tiles(map, object)};
   if (object.has("sides")) border.sides = sides_of_text(object, "sides", map);
   if (object.has("excludeSides")) border.except = sides_of_text(object, "excludeSides", map);
   border.inside = object.flag("invertArea");
@@ -146,7 +147,7 @@ void add_border(JsonObject& object, const DebroglieMap& map, Request& request) {
 }
 
 void add_fixed_tile(JsonObject& object, const DebroglieMap& map, Request& request) {
-  const std::vector<std::string> tiles = debroglie_tiles(object);
+  const std::vector<std::string> tiles = debroglie_tiles(map, object);
   if (!object.has("point")) {
     request.counts.push_back({tiles, 1, UINT64_MAX, object.where()});
     request.notes.push_back(object.where() +
@@ -161,8 +162,8 @@ void add_fixed_tile(JsonObject& object, const DebroglieMap& map, Request& reques
   request.pins.push_back(std::move(pin));
 }
 
-void add_longest_runs(JsonObject& object, Request& request) {
-  RunEntry run{debroglie_tiles(object), std::nullopt, 3, object.where()};
+void add_longest_runs(JsonObject& object, const DebroglieMap& map, Request& request) {
+  RunEntry run{debroglie_tiles(map, object), std::nullopt, 3, object.where()};
   if (object.has("maxCount")) run.most = static_cast<std::uint64_t>(object.number("maxCount", 1, INT32_MAX));
   if (!object.has("axes")) {
     request.runs.push_back(std::move(run));
@@ -186,8 +187,8 @@ void add_mirror(JsonObject& object, std::size_t axis, Request& request) {
   request.mirror = std::move(mirror);
 }
 
-void add_count(JsonObject& object, Request& request) {
-  CountEntry entry{debroglie_tiles(object), 0, UINT64_MAX, object.where()};
+void add_count(JsonObject& object, const DebroglieMap& map, Request& request) {
+  CountEntry entry{debroglie_tiles(map, object), 0, UINT64_MAX, object.where()};
   const std::string comparison = in_small_letters(object.text("comparison"));
   const auto count = static_cast<std::uint64_t>(object.number("count", 0, INT64_MAX));
   if (comparison != "atleast" && comparison != "atmost" && comparison != "exactly")
@@ -198,10 +199,10 @@ void add_count(JsonObject& object, Request& request) {
   request.counts.push_back(std::move(entry));
 }
 
-void add_separation(JsonObject& object, bool of_pairs, Request& request) {
+void add_separation(JsonObject& object, bool of_pairs, const DebroglieMap& map, Request& request) {
   DistanceEntry distance;
-  distance.tiles = of_pairs ? debroglie_tiles(object, "tiles1") : debroglie_tiles(object);
-  if (of_pairs) distance.others = debroglie_tiles(object, "tiles2");
+  distance.tiles = of_pairs ? debroglie_tiles(map, object, "tiles1") : debroglie_tiles(map, object);
+  if (of_pairs) distance.others = debroglie_tiles(map, object, "tiles2");
   distance.least = static_cast<int>(object.number("minDistance", 1, 1 << 20));
   distance.where = object.where();
   request.distances.push_back(std::move(distance));
@@ -220,15 +221,15 @@ void add_debroglie_constraint(JsonObject& object, const DebroglieMap& map, Reque
   } else if (type == "fixedTile") {
     add_fixed_tile(object, map, request);
   } else if (type == "maxConsecutive" || type == "maxConsectuive") {  // its documentation has the second
-    add_longest_runs(object, request);
+    add_longest_runs(object, map, request);
   } else if (type == "mirror" || type == "mirrorX") {
     add_mirror(object, 0, request);
   } else if (type == "mirrorY") {
     add_mirror(object, 1, request);
   } else if (type == "count") {
-    add_count(object, request);
+    add_count(object, map, request);
   } else if (type == "separation" || type == "pairSeparation") {
-    add_separation(object, type == "pairSeparation", request);
+    add_separation(object, type == "pairSeparation", map, request);
   } else {
     object.fail(
         "type",

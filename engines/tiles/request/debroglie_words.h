@@ -20,10 +20,12 @@ struct DebroglieMap {
 std::string in_small_letters(std::string text);
 
 /// Returns what a tile is called here: numbers as text, colours in small letters, turned tiles as variants.
-std::string debroglie_tile(JsonObject& object, const char* member, const nlohmann::json& value);
+/// What is a quarter clockwise where y goes down is one counter-clockwise in flipped maps.
+std::string debroglie_tile(const DebroglieMap& map, JsonObject& object, const char* member,
+                           const nlohmann::json& value);
 /// Returns the tiles that `tiles` lists, or the one that `tile` names.
-std::vector<std::string> debroglie_tiles(JsonObject& object, const char* tiles = "tiles",
-                                         const char* tile = "tile");
+std::vector<std::string> debroglie_tiles(const DebroglieMap& map, JsonObject& object,
+                                         const char* tiles = "tiles", const char* tile = "tile");
 
 /// Adds what one of the constraints asks for. Throws FileError for one that is not read.
 void add_debroglie_constraint(JsonObject& object, const DebroglieMap& map, Request& request);

@@ -6,12 +6,19 @@
 #include "engines/tiles/model/palette.h"
 #include "engines/tiles/read/file.h"
 #include "engines/tiles/read/png.h"
+#include "engines/tiles/read/vox.h"
 #include "engines/tiles/request/names.h"
 #include "engines/tiles/request/request_error.h"
 #include "engines/tiles/request/tile_variants.h"
 
 namespace solitaire::tiles {
 namespace {
+
+std::shared_ptr<const VoxelModel> voxels_of(const TileEntry& entry) {
+  if (entry.voxel_file.empty()) return nullptr;
+  const std::string name = entry.voxel_file.string();
+  return std::make_shared<const VoxelModel>(read_voxel_model(name, read_bytes(entry.voxel_file)));
+}
 
 /// Returns the icon of a tile: a file of its own, or a square of the picture of all icons; empty without one.
 Picture icon_at(const Picture& icons, const TileEntry& entry, int side) {
@@ -53,7 +60,9 @@ TileKind kind_of(const TileEntry& entry, const Picture& icons, int side, std::si
   kind.rotates = entry.rotates;
   kind.turned = entry.turned;
   kind.mirrored = entry.mirrored;
+  kind.voxels = voxels_of(entry);
   kind.icon = icon_at(icons, entry, side);
+  if (kind.icon.empty() && kind.voxels) kind.icon = seen_from_above(*kind.voxels);
   kind.color = entry.color ? *entry.color : kind.icon.empty() ? palette_color(number) : mean_color(kind.icon);
   add_edges(entry, kind);
   return kind;
@@ -73,6 +82,41 @@ void require_one_size(const Tileset& tileset) {
   }
 }
 
+/// Refuses a colour that has the same number as another one before it: a file has one palette.
+void add_palette(const TileKind& kind, VoxelModel::Palette& palette) {
+  for (const std::uint8_t number : kind.voxels->colors) {
+    const Rgba color = kind.voxels->color(number);
+    if (palette.at(number).value_or(color) != color) {
+      throw RequestError(
+          fmt::format("the model of '{}' has another colour {} than models before it; all have one palette",
+                      kind.name, number));
+    }
+    palette.at(number) = color;
+  }
+}
+
+/// Models stand beside each other in one file, and above each other in scenes.
+void require_fitting_models(const Tileset& tileset) {
+  const TileKind& first = tileset[0];
+  VoxelModel::Palette palette{};
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    const TileKind& kind = tileset[static_cast<Tile>(tile)];
+    if (!kind.voxels && !first.voxels) continue;
+    if (!kind.voxels || !first.voxels)
+      throw RequestError(fmt::format("of '{}' and '{}' one has a model of voxels; all tiles have one or none",
+                                     first.name, kind.name));
+    const Size &size = kind.voxels->size, &wanted = first.voxels->size;
+    if (size.width() != size.height())
+      throw RequestError(fmt::format("the model of '{}' stands on {}x{} voxels, which is no square",
+                                     kind.name, size.width(), size.height()));
+    if (!(size == wanted)) {
+      throw RequestError(fmt::format("the model of '{}' has {} voxels, but that of '{}' {}; all are as large",
+                                     kind.name, size_text(size), first.name, size_text(wanted)));
+    }
+    add_palette(kind, palette);
+  }
+}
+
 }  // namespace
 
 void add_listed_tiles(const Request& request, Tileset& tileset) {
@@ -88,6 +132,7 @@ void add_listed_tiles(const Request& request, Tileset& tileset) {
       }
     });
   }
+  if (tileset.size() > 0) require_fitting_models(tileset);
   require_one_size(tileset);
 }
 

@@ -27,27 +27,52 @@ double difference(const std::vector<Rgba>& a, const std::vector<Rgba>& b) {
   return sum / (4.0 * 255.0 * static_cast<double>(a.size()));
 }
 
+/// The same for layers of voxels: the share of places where these differ.
+double difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  int count = 0;
+  for (std::size_t voxel = 0; voxel < a.size(); ++voxel) count += a[voxel] == b[voxel] ? 0 : 1;
+  return count / static_cast<double>(a.size());
+}
+
+/// Adds the pairs along an axis whose sides, which `side_of(kind, last)` returns, differ by no more.
+template <class SideOf>
+void add_pairs_along(std::size_t axis, double tolerance, SideOf side_of, Style& style) {
+  const Tileset& tileset = style.tileset;
+  std::vector<decltype(side_of(tileset[0], false))> firsts, lasts;  // by tile
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    firsts.push_back(side_of(tileset[static_cast<Tile>(tile)], false));
+    lasts.push_back(side_of(tileset[static_cast<Tile>(tile)], true));
+  }
+  for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
+    ListedPairs pairs{axis, TileMask::of(static_cast<Tile>(tile)), {}};
+    for (std::size_t next = 0; next < tileset.size(); ++next) {
+      if (difference(lasts[tile], firsts[next]) <= tolerance) pairs.second.insert(static_cast<Tile>(next));
+    }
+    if (!pairs.second.empty()) style.listed.push_back(pairs);
+  }
+}
+
 }  // namespace
 
 void add_pairs_of_matching_icons(double tolerance, Style& style) {
-  const Tileset& tileset = style.tileset;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    std::vector<std::vector<Rgba>> firsts, lasts;  // sides, by tile
-    for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
-      const TileKind& kind = tileset[static_cast<Tile>(tile)];
-      if (kind.icon.empty())
-        throw RequestError(fmt::format("'{}' has no picture whose sides could be compared", kind.name));
-      firsts.push_back(side_of(kind.icon, axis, false));
-      lasts.push_back(side_of(kind.icon, axis, true));
-    }
-    for (std::size_t tile = 0; tile < tileset.size(); ++tile) {
-      ListedPairs pairs{axis, TileMask::of(static_cast<Tile>(tile)), {}};
-      for (std::size_t next = 0; next < tileset.size(); ++next) {
-        if (difference(lasts[tile], firsts[next]) <= tolerance) pairs.second.insert(static_cast<Tile>(next));
-      }
-      if (!pairs.second.empty()) style.listed.push_back(pairs);
-    }
+  bool all_have_models = true;
+  for (std::size_t tile = 0; tile < style.tileset.size(); ++tile) {
+    const TileKind& kind = style.tileset[static_cast<Tile>(tile)];
+    if (kind.icon.empty())
+      throw RequestError(fmt::format("'{}' has no picture whose sides could be compared", kind.name));
+    all_have_models = all_have_models && kind.voxels;
   }
+  if (all_have_models) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      add_pairs_along(
+          axis, tolerance,
+          [axis](const TileKind& kind, bool last) { return layer_of(*kind.voxels, axis, last); }, style);
+    return;
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    add_pairs_along(
+        axis, tolerance, [axis](const TileKind& kind, bool last) { return side_of(kind.icon, axis, last); },
+        style);
 }
 
 }  // namespace solitaire::tiles

@@ -81,15 +81,17 @@ void read_exemplar_of(const Request& request, const ExemplarEntry& entry, Style&
                            : read_numbered_tiles_of(entry.file, numbers, style.tileset);
   }
   const bool open = request.tiles.empty();
-  Exemplar exemplar;
-  exemplar.grid = read_exemplar(entry.file, request.side_of_tiles(), style.tileset, open);
-  fill_holes(entry, open, style.tileset, exemplar.grid);
-  for (std::size_t axis = 0; axis < kAxes; ++axis)
-    exemplar.periodic[axis] = entry.periodic[axis] && exemplar.grid.size.extent[axis] > 1;
-  exemplar.zone = zone_number(zone_names(request), entry.zone);
-  exemplar.negative = entry.negative;
-  exemplar.name = entry.file.string();
-  style.exemplars.push_back(std::move(exemplar));
+  for (Grid& grid : read_exemplars(entry.file, request.side_of_tiles(), style.tileset, open)) {
+    fill_holes(entry, open, style.tileset, grid);
+    Exemplar exemplar;
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      exemplar.periodic[axis] = entry.periodic[axis] && grid.size.extent[axis] > 1;
+    exemplar.grid = std::move(grid);
+    exemplar.zone = zone_number(zone_names(request), entry.zone);
+    exemplar.negative = entry.negative;
+    exemplar.name = entry.file.string();
+    style.exemplars.push_back(std::move(exemplar));
+  }
 }
 
 void add_adjacencies(const Request& request, Style& style) {

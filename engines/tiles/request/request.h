@@ -22,6 +22,7 @@ struct TileEntry {
   std::optional<Rgba> color;
   std::optional<std::array<int, 2>> icon;  // column and row in the picture of icons
   std::filesystem::path icon_file;         // or a picture of its own
+  std::filesystem::path voxel_file;        // its model, of many voxels (.vox)
   double bias = 1;
   std::optional<std::uint8_t> voxel;                       // the number of its colour in .vox models
   std::string asset;                                       // the model of scenes

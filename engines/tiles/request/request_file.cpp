@@ -92,6 +92,7 @@ class RequestReader {
     if (object.has("icon")) read_icon(object, tile);
     if (object.has("bias")) tile.bias = object.real("bias", 1e-6, 1e6);
     if (object.has("voxel")) tile.voxel = static_cast<std::uint8_t>(object.number("voxel", 0, 255));
+    if (object.has("voxels")) tile.voxel_file = path(object, "voxels");
     if (object.has("asset")) tile.asset = object.text("asset");
     if (object.has("turn")) tile.turn = static_cast<int>(object.number("turn", 0, 3));
     if (object.has("edges")) tile.edges = pairs_of_texts(object, "edges", "sides and their labels");

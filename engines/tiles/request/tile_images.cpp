@@ -12,9 +12,15 @@ bool has_labels(const TileKind& kind) {
   return std::ranges::any_of(kind.edges, [](const std::string& label) { return !label.empty(); });
 }
 
+bool has_same_voxels(const TileKind& one, const TileKind& other) {
+  if (!one.voxels || !other.voxels) return one.voxels == other.voxels;
+  return *one.voxels == *other.voxels;
+}
+
 bool looks_like(const TileKind& one, const TileKind& other) {
   return one.icon == other.icon && one.edges == other.edges && one.color == other.color &&
-         one.asset == other.asset && (one.asset.empty() || one.turn == other.turn);
+         one.asset == other.asset && (one.asset.empty() || one.turn == other.turn) &&
+         has_same_voxels(one, other);
 }
 
 }  // namespace

@@ -29,6 +29,12 @@ Picture mirrored(const Picture& icon) {
   return result;
 }
 
+/// Replaces the model of a tile by an image of it.
+template <class Image>
+void replace_voxels(TileKind& kind, Image image) {
+  if (kind.voxels) kind.voxels = std::make_shared<const VoxelModel>(image(*kind.voxels));
+}
+
 /// Turns the gids of a tile of Tiled, and with them its name.
 template <class Turn>
 void turn_gids(TileKind& kind, Turn turn) {
@@ -65,6 +71,7 @@ TileKind turned_kind(const TileKind& kind) {
   result.edges[kLeft] = kind.edges[kBottom];
   result.edges[kTop] = kind.edges[kLeft];
   result.turn = (kind.turn + 3) % 4;
+  replace_voxels(result, [](const VoxelModel& model) { return turned(model); });
   turn_gids(result, turned_gid);
   return result;
 }
@@ -74,6 +81,7 @@ TileKind mirrored_kind(const TileKind& kind) {
   result.icon = mirrored(kind.icon);
   std::swap(result.edges[kRight], result.edges[kLeft]);
   for (std::string& label : result.edges) label = reversed_label(label);
+  replace_voxels(result, [](const VoxelModel& model) { return mirrored(model); });
   turn_gids(result, mirrored_gid);
   return result;
 }
