@@ -66,3 +66,13 @@ draw_tiles dungeon -W 40 -H 30
 draw_tiles town --seed 2
 draw_tiles facade -W 40 -H 20 --seed 1
 draw_tiles frame --weights step
+
+# draw_tiles_scene EXAMPLE [OPTION]...: the scene of such a map.
+draw_tiles_scene() {
+  "$solitaire" tiles "examples/tiles/$1.tiles.json" --format glb --quiet -o "$work/tiles-$1" "${@:2}"
+  echo "place(\"tiles-$1/$1-0001.glb\", at: [0, 0, 0]);" >"$work/scene.sol"
+  "$solitaire" generate "$work/scene.sol" -n 1 --png-size 960x640 --quiet -o "$work/scene"
+  cp "$work/scene/scene-0001.png" "$images/tiles-$1.png"
+}
+
+draw_tiles_scene houses --anneal 6 --sweeps 4
