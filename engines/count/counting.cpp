@@ -53,7 +53,7 @@ std::string SolutionCount::digits() const {
 }
 
 double SolutionCount::log10() const {
-  double sum = estimate ? estimate->log10() : 0;
+  double sum = estimate ? estimate->log10 : 0;
   for (const std::uint64_t factor : factors) sum += std::log10(static_cast<double>(factor));
   return sum;
 }
@@ -92,11 +92,15 @@ std::optional<SolutionCount> SolutionCounter::run(const std::function<void(const
     }
   }
   if (large.empty()) return count;
-  progress("estimating: how many cells");
+  progress("estimating: from what");
   space_->join(large);
-  count.estimate =
-      estimate_models(space_->parts().back(), count_.accuracy, RandomStream(seed_, Purpose::kCount, 0), stop_,
-                      [&](double done) { progress(fmt::format("estimating: {:.0f} %", 100 * done)); });
+  SpacePart& rest = space_->parts().back();
+  const RandomStream random(seed_, Purpose::kCount, 0);
+  const auto done = [&](double share) { progress(fmt::format("estimating: {:.0f} %", 100 * share)); };
+  if (auto sampler = rest.nested_sampler(RandomStream(seed_, Purpose::kCells, 1), stop_))
+    count.estimate = estimate_solutions(*sampler, count_.accuracy, random, stop_, done);
+  else
+    count.estimate = estimate_models(rest, count_.accuracy, random, stop_, done);
   return count;
 }
 

@@ -19,9 +19,40 @@ double misestimate(double models, double tolerance) {
   return late <= models ? 1 : beyond(soon, models - soon) + beyond(late, late - models);
 }
 
-}  // namespace
+/// The probability that a Poisson process has so many events before a time at which `mean` are expected.
+double reached(std::size_t events, double mean) {
+  double fewer = 0;
+  double log_term = -mean;  // the terms themselves may be too small for a float
+  for (std::size_t i = 0; i < events; ++i) {
+    fewer += std::exp(log_term);
+    log_term += std::log(mean / static_cast<double>(i + 1));
+  }
+  return 1 - fewer;
+}
 
-double Estimate::log10() const { return std::log10(models / cells) + parities * std::log10(2.0); }
+/// The probability that an estimate from so many successes is off: it is successes - 1 over the time that
+/// they take, of which the product with the true probability is distributed as that of a process of rate 1.
+double misjudgement(std::size_t successes, double tolerance) {
+  const double expected = static_cast<double>(successes - 1);
+  return 1 - reached(successes, expected * (1 + tolerance)) + reached(successes, expected / (1 + tolerance));
+}
+
+/// Returns how many successes are enough for an estimate.
+std::size_t enough_successes(const Accuracy& accuracy) {
+  const auto are_enough = [&](std::size_t successes) {
+    return misjudgement(successes, accuracy.tolerance) <= 1 - accuracy.confidence;
+  };
+  std::size_t enough = 2;
+  while (!are_enough(enough)) enough *= 2;
+  std::size_t low = enough / 2;  // too few
+  while (enough - low > 1) {
+    const std::size_t middle = low + (enough - low) / 2;
+    (are_enough(middle) ? enough : low) = middle;
+  }
+  return enough;
+}
+
+}  // namespace
 
 Estimate estimate_models(SpacePart& part, const Accuracy& accuracy, RandomStream random,
                          const StopSignal& stop, const std::function<void(double)>& progress) {
@@ -35,7 +66,19 @@ Estimate estimate_models(SpacePart& part, const Accuracy& accuracy, RandomStream
     if (progress) progress(static_cast<double>(models) / static_cast<double>(wanted));
     models += part.find(random_parities(random, part.bits(), parities), wanted - models, stop).size();
   }
-  return {static_cast<double>(wanted), static_cast<double>(cells), parities};
+  return {std::log10(static_cast<double>(wanted) / static_cast<double>(cells)) + parities * std::log10(2.0)};
+}
+
+Estimate estimate_solutions(NestedSampler& sampler, const Accuracy& accuracy, RandomStream random,
+                            const StopSignal& stop, const std::function<void(double)>& progress) {
+  const std::size_t wanted = enough_successes(accuracy);
+  double time = 0;
+  for (std::size_t successes = 0; successes < wanted;) {
+    if (progress) progress(static_cast<double>(successes) / static_cast<double>(wanted));
+    time -= std::log(random.uniform());
+    if (sampler.succeeds(random, stop)) ++successes;
+  }
+  return {std::log10(sampler.bound() * static_cast<double>(wanted - 1) / time)};
 }
 
 }  // namespace solitaire

@@ -13,13 +13,9 @@ struct Accuracy {
   double confidence = 0.9;  // between 0 and 1
 };
 
-/// A number of models: models / cells * 2^parities.
+/// A number of models, by its logarithm.
 struct Estimate {
-  double models = 0;
-  double cells = 1;
-  std::uint32_t parities = 0;
-
-  double log10() const;
+  double log10 = 0;
 };
 
 /// Estimates how many models a part has, more than a few: counts random cells, as ApproxMC does (Chakraborty,
@@ -32,5 +28,12 @@ struct Estimate {
 /// part of the second step is done. Throws Interrupted.
 Estimate estimate_models(SpacePart& part, const Accuracy& accuracy, RandomStream random,
                          const StopSignal& stop, const std::function<void(double)>& progress = nullptr);
+
+/// Estimates how many solutions there are from how many attempts of the sampler fail until some succeed: each
+/// attempt waits for a time that is exponentially distributed, and the sum of these times has a known
+/// distribution but for the probability of success (Huber, "A Bernoulli mean estimate with known relative
+/// error distribution", 2017). `progress` and what is thrown are as above.
+Estimate estimate_solutions(NestedSampler& sampler, const Accuracy& accuracy, RandomStream random,
+                            const StopSignal& stop, const std::function<void(double)>& progress = nullptr);
 
 }  // namespace solitaire

@@ -101,6 +101,13 @@ std::optional<std::uint64_t> SpacePart::enumerate(std::uint64_t most, const Stop
   return found;
 }
 
+std::optional<NestedSampler> SpacePart::nested_sampler(RandomStream random, const StopSignal& stop,
+                                                       std::size_t most_in_cluster) const {
+  auto clusters = Clusters::of(*graph_, variables_, conditions_, most_in_cluster);
+  if (!clusters) return std::nullopt;
+  return NestedSampler::prepared(ClusterNetwork(*graph_, std::move(*clusters)), random, stop);
+}
+
 void SpacePart::decode(const BitModel& model, VariableValues& values) const {
   std::size_t position = 0;
   for (const std::size_t variable : variables_) {

@@ -4,15 +4,14 @@
 #include <memory>
 #include <set>
 
+#include "engines/count/nested_sampler.h"
+#include "engines/count/nested_tuning.h"
 #include "engines/solve/executions/meeting.h"
 #include "engines/solve/executions/traced_program.h"
 #include "smt/sat/bit_blast.h"
 #include "smt/xor/projected_models.h"
 
 namespace solitaire {
-
-/// The value of each choice variable of a graph, by its number.
-using VariableValues = std::vector<std::int64_t>;
 
 /// Choices of a program that no condition ties to its other choices. What they can be together does not
 /// depend on the others, so that the solutions of a program are all combinations of what its parts can be.
@@ -40,6 +39,10 @@ class SpacePart {
   /// Returns nothing where that is too hard. Throws Interrupted.
   std::optional<std::uint64_t> enumerate(std::uint64_t most, const StopSignal& stop,
                                          std::atomic<std::uint64_t>& found) const;
+  /// Returns nothing where NestedSampler::prepared does, or the choices cannot be put into clusters. Throws
+  /// Interrupted.
+  std::optional<NestedSampler> nested_sampler(RandomStream random, const StopSignal& stop,
+                                              std::size_t most_in_cluster = tuning::kMostInCluster) const;
   /// The values of the choices that a model stands for.
   void decode(const BitModel& model, VariableValues& values) const;
 

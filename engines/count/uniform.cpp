@@ -36,7 +36,7 @@ void UniformEngine::explore() {
   space_.emplace(program_);
 }
 
-/// Lists what is not much, and has the rest drawn from cells.
+/// Lists what is not much, and prepares to draw the rest.
 void UniformEngine::prepare() {
   explore();
   if (prepared_ || ending_ != Ending::kNone) return;
@@ -60,7 +60,9 @@ void UniformEngine::prepare() {
   }
   if (!large.empty() && total_ > 0) {
     space_->join(large);
-    sampler_.emplace(space_->parts().back(), RandomStream(seed_, Purpose::kCells, 0), stop_);
+    SpacePart& rest = space_->parts().back();
+    nested_ = rest.nested_sampler(RandomStream(seed_, Purpose::kCells, 1), stop_);
+    if (!nested_) cells_.emplace(rest, RandomStream(seed_, Purpose::kCells, 0), stop_);
   }
   listed_ = std::move(listed);
   prepared_ = true;
@@ -69,20 +71,27 @@ void UniformEngine::prepare() {
 /// Returns true if so many solutions came, or were drawn in vain, that listing all of them is no more work.
 /// This does not depend on anything that is not known to a run that goes on after the same solutions.
 bool UniformEngine::worth_listing() const {
-  const double quarter = std::exp2(sampler_->guessed_log2()) * static_cast<double>(total_) / 4;
+  const double guessed = nested_ ? nested_->guessed_solutions() : cells_->guessed_models();
+  const double quarter = guessed * static_cast<double>(total_) / 4;
   return static_cast<double>(came_) > quarter ||
          static_cast<double>(draws_) > std::max(tuning::kFewDraws, quarter);
 }
 
 bool UniformEngine::all_drawn() const {
-  if (sampler_ && !rest_) return false;
+  if (has_rest() && !rest_) return false;
   return drawn_.size() >= (rest_ ? product(total_, rest_->size()) : total_);
 }
 
-BitModel UniformEngine::draw_of_rest() {
-  if (!worth_listing()) return sampler_->draw(*random_, stop_);
-  if (!rest_) rest_ = space_->parts().back().find({}, SIZE_MAX, stop_);
-  return (*rest_)[random_->below(rest_->size())];
+void UniformEngine::draw_rest(VariableValues& values) {
+  SpacePart& rest = space_->parts().back();
+  if (worth_listing()) {
+    if (!rest_) rest_ = rest.find({}, SIZE_MAX, stop_);
+    rest.decode((*rest_)[random_->below(rest_->size())], values);
+  } else if (nested_) {
+    nested_->clusters().decode(nested_->draw(*random_, stop_), values);
+  } else {
+    rest.decode(cells_->draw(*random_, stop_), values);
+  }
 }
 
 VariableValues UniformEngine::draw() {
@@ -96,7 +105,7 @@ VariableValues UniformEngine::draw() {
       part.decode(listed_[i][random_->below(listed_[i].size())], values);
     }
   }
-  if (sampler_) space_->parts().back().decode(draw_of_rest(), values);
+  if (has_rest()) draw_rest(values);
   return values;
 }
 

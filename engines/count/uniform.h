@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "engines/count/nested_sampler.h"
 #include "engines/count/xor_sampler.h"
 #include "engines/solution_stream.h"
 #include "engines/tuning.h"
@@ -18,9 +19,10 @@ struct UniformOptions {
 /// takes: as if all executions that are solutions stood in a list.
 ///
 /// Every path is explored first. Choices that no condition ties to each other are drawn apart, each part
-/// exactly uniformly if all that it can be was listed; the larger ones together as CellSampler does, within a
-/// factor of 1.1 of uniform (but for one in 20 seeds, at most). No solution comes twice: the first is drawn
-/// from all, the next one from those that are left.
+/// exactly uniformly if all that it can be was listed; the larger ones together, exactly uniformly where a
+/// NestedSampler is fast enough, and else as CellSampler does, within a factor of 1.1 of uniform (but for one
+/// in 20 seeds, at most). No solution comes twice: the first is drawn from all, the next one from those that
+/// are left.
 ///
 /// What comes next depends on the seed and on the solutions that came, and on nothing else.
 class UniformEngine : public SolutionStream, public Exploring, public Timed {
@@ -43,8 +45,6 @@ class UniformEngine : public SolutionStream, public Exploring, public Timed {
   void explore() override;
   std::size_t graph_size() const override { return program_.graph().size(); }
   EngineTimes times() const override { return program_.times(); }
-  /// Returns true if each solution that is left has exactly the same probability.
-  bool exact() const { return !sampler_; }
   /// Makes a known solution. Throws NotASolution and Interrupted.
   Solution run(const ChosenValues& choices) { return program_.solution(program_.execution(choices)); }
 
@@ -52,7 +52,8 @@ class UniformEngine : public SolutionStream, public Exploring, public Timed {
   void prepare();
   VariableValues draw();
   Assignment completed(const VariableValues& values);
-  BitModel draw_of_rest();
+  void draw_rest(VariableValues& values);
+  bool has_rest() const { return nested_ || cells_; }
   bool all_drawn() const;
   bool worth_listing() const;
 
@@ -63,8 +64,9 @@ class UniformEngine : public SolutionStream, public Exploring, public Timed {
   std::optional<SolutionSpace> space_;  // made when all is explored
   bool prepared_ = false;
   std::vector<std::vector<BitModel>> listed_;  // by part; empty for parts that are free, and for the rest
-  std::uint64_t total_ = 1;             // the product over parts that are free or listed, at most UINT64_MAX
-  std::optional<CellSampler> sampler_;  // for the rest, which is the last part, if it is large
+  std::uint64_t total_ = 1;              // the product over parts that are free or listed, at most UINT64_MAX
+  std::optional<NestedSampler> nested_;  // for the rest, which is the last part, if it is large
+  std::optional<CellSampler> cells_;     // for the rest where there is no other
   std::optional<std::vector<BitModel>> rest_;  // made when listing it is no more work than drawing
   std::set<VariableValues> drawn_;
   std::uint64_t came_ = 0;

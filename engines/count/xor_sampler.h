@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "base/random.h"
 #include "engines/count/solution_space.h"
 
@@ -38,8 +40,8 @@ class CellSampler {
   CellSampler(SpacePart& part, RandomStream random, const StopSignal& stop);
   /// Depends on the stream alone. Throws Interrupted.
   BitModel draw(RandomStream& random, const StopSignal& stop);
-  /// About how many models there are, as base 2 logarithm: a guess.
-  double guessed_log2() const { return parities_ + 3.0; }
+  /// About how many models there are: a guess.
+  double guessed_models() const { return std::exp2(parities_ + 3.0); }
 
  private:
   SpacePart& part_;

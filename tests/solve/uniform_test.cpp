@@ -1,12 +1,12 @@
 // Sampling: every solution with the same probability, by a chi-square test against all solutions that there
 // are.
 #include <algorithm>
-#include <cmath>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "engines/count/uniform_series.h"
+#include "tests/support/chi_square.h"
 #include "tests/support/command.h"
 #include "tests/support/program_run.h"
 
@@ -60,36 +60,18 @@ std::string text_of(const Solution& solution) {
   return text;
 }
 
-/// How often what was drawn, among everything that there is.
-using Tally = std::map<std::string, std::uint64_t>;
-
-Tally all_of(const Sampled& program) {
+DrawCounts all_of(const Sampled& program) {
   const Program loaded = program_of(program.text);
   TracingEngine engine(loaded, {}, options_of(program, 0));
-  Tally tally;
+  DrawCounts tally;
   while (const auto solution = engine.next()) tally[text_of(*solution)] = 0;
   return tally;
 }
 
-/// Whether what was drawn is so uneven as it would be for one in about 30 000 fair draws.
-bool uneven(const Tally& tally) {
-  double drawn = 0;
-  for (const auto& [key, times] : tally) drawn += static_cast<double>(times);
-  const double expected = drawn / static_cast<double>(tally.size());
-  REQUIRE(expected >= 5);
-  double sum = 0;
-  for (const auto& [key, times] : tally) sum += std::pow(static_cast<double>(times) - expected, 2) / expected;
-  // Wilson and Hilferty's approximation of the chi-square distribution.
-  const double freedom = static_cast<double>(tally.size()) - 1;
-  const double normal = (std::cbrt(sum / freedom) - (1 - 2 / (9 * freedom))) / std::sqrt(2 / (9 * freedom));
-  INFO("chi square ", sum, " for ", freedom, " degrees of freedom");
-  return normal > 4;
-}
-
 /// The first solution of an engine for each of many seeds.
 template <typename Make>
-Tally first_solutions(const Sampled& program, std::uint64_t seeds, Make make) {
-  Tally tally = all_of(program);
+DrawCounts first_solutions(const Sampled& program, std::uint64_t seeds, Make make) {
+  DrawCounts tally = all_of(program);
   const Program loaded = program_of(program.text);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     auto engine = make(loaded, options_of(program, seed));
@@ -130,7 +112,7 @@ void check_cells(const Sampled& program) {
   SpacePart& part = space.parts().front();
   const StopSignal stop;
   CellSampler sampler(part, RandomStream(1, Purpose::kCells, 0), stop);
-  Tally tally;
+  DrawCounts tally;
   for (const BitModel& model : part.find({}, SIZE_MAX, stop))
     tally[fmt::format("{}", fmt::join(model, ""))] = 0;
   RandomStream random(1, Purpose::kSample, 0);
@@ -152,11 +134,11 @@ TEST_CASE("uniform: models drawn from cells are alike probable on unequal paths 
 TEST_CASE("uniform: without repetitions each solution comes once, listed or from cells") {
   for (const Sampled& program : sampled()) {
     CAPTURE(program.text);
-    const Tally all = all_of(program);
+    const DrawCounts all = all_of(program);
     for (const std::uint64_t most_listed : {10'000, 0}) {
       const Program loaded = program_of(program.text);
       UniformEngine engine(loaded, {}, options_of(program, 5), {most_listed});
-      Tally tally;
+      DrawCounts tally;
       while (const auto solution = engine.next()) ++tally[text_of(*solution)];
       CHECK(engine.ending() == Ending::kExhausted);
       CHECK(tally.size() == all.size());
