@@ -4,8 +4,8 @@
 #include <memory>
 #include <set>
 
-#include "engines/count/nested_sampler.h"
-#include "engines/count/nested_tuning.h"
+#include "engines/count/nested/nested_sampler.h"
+#include "engines/count/nested/tuning.h"
 #include "engines/solve/executions/meeting.h"
 #include "engines/solve/executions/traced_program.h"
 #include "smt/sat/bit_blast.h"

@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "engines/count/nested_sampler.h"
+#include "engines/count/nested/nested_sampler.h"
 #include "engines/count/xor_sampler.h"
 #include "engines/solution_stream.h"
 #include "engines/tuning.h"

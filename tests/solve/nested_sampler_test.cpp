@@ -1,6 +1,6 @@
 // Sampling by nested bounds: every solution with the same probability, by a chi-square test against all
 // solutions that there are; and how many there are, from how many attempts fail.
-#include "engines/count/nested_sampler.h"
+#include "engines/count/nested/nested_sampler.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

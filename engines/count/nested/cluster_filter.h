@@ -1,6 +1,6 @@
 #pragma once
-#include "engines/count/case_set.h"
-#include "engines/count/clusters.h"
+#include "engines/count/nested/case_set.h"
+#include "engines/count/nested/clusters.h"
 
 namespace solitaire {
 

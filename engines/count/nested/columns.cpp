@@ -1,4 +1,4 @@
-#include "engines/count/columns.h"
+#include "engines/count/nested/columns.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "engines/count/columns.h"
+#include "engines/count/nested/columns.h"
 
 namespace solitaire {
 

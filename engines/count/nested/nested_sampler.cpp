@@ -1,4 +1,4 @@
-#include "engines/count/nested_sampler.h"
+#include "engines/count/nested/nested_sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 #include "base/random.h"
 #include "base/stop_signal.h"
-#include "engines/count/cluster_network.h"
-#include "engines/count/nested_tuning.h"
+#include "engines/count/nested/cluster_network.h"
+#include "engines/count/nested/tuning.h"
 
 namespace solitaire {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "engines/count/cluster_filter.h"
+#include "engines/count/nested/cluster_filter.h"
 
 namespace solitaire {
 

@@ -1,4 +1,4 @@
-#include "engines/count/cluster_network.h"
+#include "engines/count/nested/cluster_network.h"
 
 #include <algorithm>
 #include <map>

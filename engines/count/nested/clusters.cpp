@@ -1,9 +1,9 @@
-#include "engines/count/clusters.h"
+#include "engines/count/nested/clusters.h"
 
 #include <algorithm>
 #include <map>
 
-#include "engines/count/nested_tuning.h"
+#include "engines/count/nested/tuning.h"
 #include "tracegraph/cone.h"
 
 namespace solitaire {

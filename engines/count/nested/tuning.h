@@ -5,9 +5,10 @@
 // The constants of sampling by nested bounds; see engines/tuning.h for those of the other engines.
 namespace solitaire::tuning {
 
-/// Choices of which there are no more than so many are put into clusters (engines/count/clusters.h) that can
-/// be so many things at most. Of a condition that ties more than so many clusters it does not count which.
-/// Judgement: a thing has some thousand places in a room, and more choices are never drawn in this way.
+/// Choices of which there are no more than so many are put into clusters (engines/count/nested/clusters.h)
+/// that can be so many things at most. Of a condition that ties more than so many clusters it does not count
+/// which. Judgement: a thing has some thousand places in a room, and more choices are never drawn in this
+/// way.
 constexpr std::size_t kMostChoicesInClusters = 256;
 constexpr std::size_t kMostInCluster = 16'384;
 constexpr std::size_t kMostClustersTied = 12;

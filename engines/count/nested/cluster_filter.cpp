@@ -1,4 +1,4 @@
-#include "engines/count/cluster_filter.h"
+#include "engines/count/nested/cluster_filter.h"
 
 #include <algorithm>
 
