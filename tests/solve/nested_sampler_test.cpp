@@ -70,12 +70,12 @@ constexpr const char* kOperations =
     "assert(max(a, c) - min(b, c) != 2 and b * c < 30 and (a < b) == (b < c));\n"
     "return [a, b, c];\n";
 /// Choices that some executions do not meet.
-constexpr const char* kPaths =
+constexpr const char* kUnequalPaths =
     "n = range(0, 3);\nxs = [range(0, 4) for i in 1..n];\nassert(sum(xs) % 3 != 1);\n"
     "if flip() { assert(length(xs) != 2); }\nreturn xs;\n";
 
 TEST_CASE("nested bounds: solutions are alike probable") {
-  for (const char* text : {kThings, kSum, kOperations, kPaths}) {
+  for (const char* text : {kThings, kSum, kOperations, kUnequalPaths}) {
     for (const std::size_t most_in_cluster : {1, 40}) {
       CAPTURE(text);
       CAPTURE(most_in_cluster);
