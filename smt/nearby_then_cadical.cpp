@@ -58,6 +58,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
  public:
   NearbyThenCadical(const Graph& graph, const NearbyOptions& options)
       : graph_(graph),
+        options_(options),
         spread_(options.far_apart ? tuning::kFarApart : tuning::kUsualSpread),
         cadical_(Cadical::Use::kRefutation, options.seed),
         clauses_(graph, *this),
@@ -133,7 +134,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
     if (std::exchange(has_suggestions_, false)) {
       cadical_.use_for(Cadical::Use::kDiversity);
       cadical_.prefer(with_drawn_signs(nearby_.wanted()));
-      const Verdict verdict = cadical_.solve(assumed, signal, tuning::kConflictsNearSuggestions);
+      const Verdict verdict = cadical_.solve(assumed, signal, options_.conflicts_near_suggestions);
       cadical_.prefer_nothing();
       if (verdict != Verdict::kStopped) return verdict;
     }
@@ -149,11 +150,11 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   /// can lead a search to where it takes hundreds of times as long. If neither end helps once, that is not
   /// tried again.
   Verdict search_from_ends(std::span<const int> assumed, const StopSignal& signal) {
-    Verdict verdict = cadical_.solve(assumed, signal, tuning::kConflictsOfOneWay);
+    Verdict verdict = cadical_.solve(assumed, signal, options_.conflicts_of_one_way);
     for (const bool phase : {first_end_, !first_end_}) {
       if (verdict != Verdict::kStopped || signal.stopped()) return verdict;
       cadical_.start_anew(random_.next(), phase);
-      verdict = cadical_.solve(assumed, signal, tuning::kConflictsOfOneWay);
+      verdict = cadical_.solve(assumed, signal, options_.conflicts_of_one_way);
     }
     ends_help_ = verdict != Verdict::kStopped;
     return verdict;
@@ -198,6 +199,7 @@ class NearbyThenCadical : public Solver, private ClauseSink {
   }
 
   const Graph& graph_;
+  const NearbyOptions options_;
   const tuning::Spread spread_;
   Cadical cadical_;
   Propagator propagator_;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "smt/solver.h"
+#include "smt/tuning.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -11,6 +12,10 @@ struct NearbyOptions {
   std::uint64_t seed = 0;
   /// If true, models are as far from each other as can be; else they come sooner and are still far apart.
   bool far_apart = false;
+  /// CaDiCaL gives up after so many conflicts near suggested values, and on each further way that it tries
+  /// before it goes on without such a limit.
+  std::uint64_t conflicts_near_suggestions = tuning::kConflictsNearSuggestions;
+  std::uint64_t conflicts_of_one_way = tuning::kConflictsOfOneWay;
 };
 
 /// Makes the back end for many models that differ much. Each check has two steps:

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engines/tuning.h"
+
 namespace solitaire {
 namespace {
 
@@ -123,6 +125,25 @@ TEST_CASE(
   CHECK(letters_of(*distance.next(found.find())) == "bbbbbbbbbb");
   distance.start_block();
   CHECK_FALSE(distance.take_aside());
+}
+
+TEST_CASE("series distance: what was put aside may be near what came after it") {
+  SeriesDistance distance = away_from({"aaaaaaaaaa"});
+  Given found({"aaaaaaaabb", "aaaaaaaabd", "aaaaaaaaad", "aaaaaaaaea", "aaaaaaffaa"});
+  const auto first = distance.next(found.find());
+  REQUIRE(first);
+  CHECK(letters_of(*first) == "aaaaaaaabb");  // 0.2 away, after which 0.15 is asked for
+  distance.add(*first);
+  const auto second = distance.next(found.find());
+  REQUIRE(second);
+  CHECK(letters_of(*second) == "aaaaaaffaa");  // for "aaaaaaaabd" is only 0.1 away from the first
+}
+
+TEST_CASE("series distance: once many came, all others come as they are found") {
+  SeriesDistance distance(0.3, 3);
+  for (std::size_t i = 0; i < tuning::kKeptApart; ++i) distance.add(solution_of(std::string(10, 'a')));
+  Given found({std::string(10, 'a')});
+  CHECK(distance.next(found.find()));
 }
 
 }  // namespace

@@ -1,27 +1,7 @@
-#!/usr/bin/env python3
-"""Sees to it that the tests of sampling notice what is wrong with it: builds the tests once from a copy of the tree in
-which faults can be switched on, runs them with one fault after the other, and expects them to fail.
+"""What the tests of sampling have to notice."""
+from mutant import Mutant
 
-    tests/sample/mutants.py BUILD_FOLDER [CMAKE_OPTION...]
-
-The folder is made if it is not there, and kept for the next time. Ends with status 1 if a mutant is not noticed.
-"""
-import os
-import pathlib
-import subprocess
-import sys
-from dataclasses import dataclass
-
-
-@dataclass
-class Mutant:
-    what: str
-    file: str
-    old: str  # stands in the file once
-    new: str  # the same with a fault where FAULTY is true
-    tests: str  # the names of those that have to notice it, as doctest reads them
-
-
+TESTS = "sample/solitaire_sample_tests"
 MUTANTS = [
     Mutant("the number of choices to pick from is forgotten",
            "engines/sample/rerun.cpp",
@@ -312,73 +292,3 @@ MUTANTS = [
            "{FAULTY ? result_.cell : emit(Op::kIteFloat, condition, zero_, result_.cell), true}",
            "gradient*"),
 ]
-
-SWITCH = """#ifndef SOLITAIRE_FAULTY
-#define SOLITAIRE_FAULTY
-#include <cstdlib>
-inline bool faulty(int number) {
-  static const char* const chosen = std::getenv("SOLITAIRE_MUTANT");
-  return chosen != nullptr && std::atoi(chosen) == number;
-}
-#endif
-"""
-
-
-def with_faults(name, text):
-    """The text of a file in which the environment switches its faults on, each by its number."""
-    changed = text
-    for number, mutant in enumerate(MUTANTS, 1):
-        if mutant.file == name:
-            assert changed.count(mutant.old) == 1, f"{name} does not have this once: {mutant.old}"
-            changed = changed.replace(mutant.old, mutant.new.replace("FAULTY", f"faulty({number})"))
-    return text if changed == text else SWITCH + changed
-
-
-def copy_tree(source, folder):
-    """Writes those of the tree's files alone that differ, so that little is built anew, and removes those that it has no more."""
-    listed = subprocess.run(["git", "-C", source, "ls-files", "-z"], check=True, capture_output=True).stdout
-    names = {name for name in listed.decode().split("\0") if name and (source / name).is_file()}
-    for path in folder.rglob("*"):
-        if path.is_file() and str(path.relative_to(folder)) not in names:
-            path.unlink()
-    for name in names:
-        content = (source / name).read_bytes()
-        if any(mutant.file == name for mutant in MUTANTS):
-            content = with_faults(name, content.decode()).encode()
-        path = folder / name
-        if not path.exists() or path.read_bytes() != content:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(content)
-            path.chmod((source / name).stat().st_mode)
-
-
-def tests_pass(build, names="*", number=0):
-    program = build / "tests/sample/solitaire_sample_tests"
-    command = [program, "--abort-after=1", f"--test-case={names}"]
-    environment = {**os.environ, "SOLITAIRE_MUTANT": str(number)}
-    tests = subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=1800)
-    return tests.returncode == 0
-
-
-def main():
-    source = pathlib.Path(__file__).resolve().parents[2]
-    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
-        sys.exit(__doc__)
-    build = pathlib.Path(sys.argv[1]).resolve()
-    copy_tree(source, build / "source")
-    if not (build / "build.ninja").exists():
-        configure = ["cmake", "-S", build / "source", "-B", build, "-G", "Ninja", "-DSOLITAIRE_TESTS=ON", *sys.argv[2:]]
-        subprocess.run(configure, check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["ninja", "-C", build, "solitaire_sample_tests"], check=True, stdout=subprocess.DEVNULL)
-    missed = 0
-    for number, mutant in enumerate(MUTANTS, 1):
-        noticed = not tests_pass(build, mutant.tests, number)
-        print("noticed:" if noticed else "NOT NOTICED:", mutant.what, flush=True)
-        missed += not noticed
-    if not tests_pass(build):
-        sys.exit("the tests fail without a mutant")
-    sys.exit(missed > 0)
-
-
-if __name__ == "__main__":
-    main()
