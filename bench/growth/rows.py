@@ -35,6 +35,8 @@ def side_for(n):
 WORKSPACE = {"groups": lambda n: n, "most": lambda n: 14 + 7 * n, "aisle": lambda n: 2, "chairs": lambda n: 2}
 ROOM = {"n": lambda n: n, "side": side_for}
 SIDE = {"side": lambda n: n}
+LOT = {"n": lambda n: n, "stalls": lambda n: 280 * n * n // 576}
+SHOP = {"n": lambda n: n, "side": lambda n: int((24 * n) ** 0.5) + 1}  # the shelves fill a sixth of it
 
 
 def rows():
@@ -80,4 +82,8 @@ def rows():
         Row("magic", (3, 4), "all"),
         Row("steiner", (7, 9, 13)),
         Row("tile_map", (12, 24, 32, 48)),
+        Row("tile_counts", (12, 24, 32, 48)),
+        Row("parking", (8, 12, 16, 24), params=LOT),
+        Row("brick_tower", (2, 4, 6, 10)),
+        Row("shelves", (5, 10, 20, 40), params=SHOP),
     ]
