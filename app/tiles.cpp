@@ -138,6 +138,7 @@ ExitStatus tell_ending(const tiles::Job& job, tiles::JobEnding ending, std::uint
 }
 
 ExitStatus make_maps(tiles::Job& job, const Options& options, Watchdog& watchdog) {
+  for (const std::string& format : options.tiles->formats) job.require_format(format);
   make_folder(options.output);
   TilesPage page(options, stem(*options.tiles));
   AssetLibrary assets(find_data_folder() / "assets",

@@ -251,6 +251,29 @@ TEST_CASE("a tile's custom properties say its weight, its model and whether it t
             .find("a tile has the weight -1") != std::string::npos);
 }
 
+TEST_CASE("a map of a tileset is written around it as .tmx and .tmj, and read back") {
+  const Land land;
+  const std::string wang =
+      R"(<wangsets><wangset name="banks"><wangcolor name="water"/><wangcolor name="land"/>
+    <wangtile tileid="0" wangid="1,0,1,0,1,0,1,0"/><wangtile tileid="2" wangid="2,0,1,0,2,0,1,0"/></wangset></wangsets>)";
+  const fs::path path =
+      land.write("a & b.tsx",
+                 R"(<tileset name="banks" tilewidth="3" tileheight="2" columns="4">)" + wang + "</tileset>");
+  Tileset tileset;
+  read_tiles_of(path, tileset);
+  REQUIRE(tileset.size() == 2);
+  Grid map(Size{{2, 1, 1}});
+  map.tiles = {1, 0};
+  const std::string tmx = write_tmx(map, tileset, path, land.path());
+  CHECK(tmx.find(R"(tilewidth="3" tileheight="2" width="2" height="1")") != std::string::npos);
+  CHECK(read_tiled(land.write("m.tmx", tmx), tileset, false) == map);
+  Tileset again;
+  CHECK(read_tiled(land.write("m.tmj", write_tmj(map, tileset, path, land.path())), again, true).size ==
+        map.size);
+  CHECK(again[0].gid == 3U);
+  CHECK(again[1].gid == 1U);
+}
+
 TEST_CASE("a map is written as .tmj after the pattern of one, and read back with its flags") {
   const Land land;
   const fs::path path =

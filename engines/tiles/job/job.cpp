@@ -22,6 +22,7 @@
 #include "engines/tiles/request/read_inputs.h"
 #include "engines/tiles/request/read_style.h"
 #include "engines/tiles/request/site_rules.h"
+#include "engines/tiles/tiled/tileset_files.h"
 #include "engines/tiles/tiled/write_tiled.h"
 #include "engines/tiles/write/json.h"
 #include "engines/tiles/write/png.h"
@@ -282,6 +283,16 @@ JobEnding Job::run(const std::function<void(std::uint64_t)>& deliver) {
   }
 }
 
+void Job::require_format(const std::string& format) const {
+  if (format != "tmx" && format != "tmj") return;
+  const auto& exemplars = state_->request.exemplars;
+  const bool is_pattern = !exemplars.empty() && (is_tileset(exemplars.front().file) ||
+                                                 exemplars.front().file.extension() == "." + format);
+  if (!is_pattern)
+    throw RequestError(fmt::format(
+        "--format {0} needs a .{0} map or a tileset of Tiled (.tsx, .tsj) as the first exemplar", format));
+}
+
 std::string Job::file(const std::string& format, int pixels, const std::filesystem::path& folder) const {
   const Sample& sample = state_->sample;
   const Tileset& tileset = state_->style->tileset;
@@ -295,10 +306,9 @@ std::string Job::file(const std::string& format, int pixels, const std::filesyst
     }
   }
   if (format == "tmx" || format == "tmj") {
-    const auto& exemplars = state_->request.exemplars;
-    if (exemplars.empty() || exemplars.front().file.extension() != "." + format)
-      throw RequestError(fmt::format("--format {0} needs a .{0} map as the first exemplar", format));
-    return (format == "tmx" ? write_tmx : write_tmj)(sample.map, tileset, exemplars.front().file, folder);
+    require_format(format);
+    const std::filesystem::path& pattern = state_->request.exemplars.front().file;
+    return (format == "tmx" ? write_tmx : write_tmj)(sample.map, tileset, pattern, folder);
   }
   nlohmann::ordered_json about{{"index", state_->number},
                                {"seed", state_->options.sampling.seed},

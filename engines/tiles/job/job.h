@@ -75,10 +75,12 @@ class Job {
   JobEnding run(const std::function<void(std::uint64_t)>& deliver);
   /// Returns what a scene shows of the map that is being delivered: all tiles that are not empty.
   std::vector<ShownTile> shown_tiles() const;
-  /// Returns the file of the map that is being delivered, as txt, png, json, vox, or tmx or tmj if the
-  /// exemplar is one. `pixels` is the side of a tile without an icon; `folder` is where the file will be.
+  /// Returns the file of the map that is being delivered, as txt, png, json, vox, tmx or tmj
+  /// (require_format()). `pixels` is the side of a tile without an icon; `folder` is where the file will be.
   /// Throws RequestError.
   std::string file(const std::string& format, int pixels, const std::filesystem::path& folder) const;
+  /// Throws RequestError for a format in which no map of this job can be written, whatever it looks like.
+  void require_format(const std::string& format) const;
   /// Returns what there is to say of all maps together.
   std::string summary() const;
 

@@ -8,11 +8,12 @@ namespace solitaire::tiles {
 
 /// Writes a map as Tiled's .tmx, after the pattern of the map `original` that was the exemplar: with its
 /// tilesets and properties, and the flags of turned tiles, but without its layers that are hidden or have no
-/// tiles. The names of tilesets and pictures are relative to the folder that the file will be in.
+/// tiles. Where the exemplar was a tileset (.tsx, .tsj), the map has this alone. The names of tilesets and
+/// pictures are relative to the folder that the file will be in.
 std::string write_tmx(const Grid& map, const Tileset& tileset, const std::filesystem::path& original,
                       const std::filesystem::path& folder);
 
-/// The same as .tmj, after the pattern of a .tmj.
+/// The same as .tmj, after the pattern of a .tmj or around a tileset.
 std::string write_tmj(const Grid& map, const Tileset& tileset, const std::filesystem::path& original,
                       const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 
 #include "base/file_error.h"
 #include "engines/tiles/read/file.h"
+#include "engines/tiles/tiled/tileset_files.h"
 #include "engines/tiles/tiled/write_tiled.h"
 
 namespace solitaire::tiles {
@@ -32,12 +33,32 @@ Json layers_of(const Json& root, const Grid& map, const Tileset& tileset) {
   return layers.empty() ? root.at("the layers that were read") : layers;  // throws: there are none any more
 }
 
+/// Makes an empty map with a tileset alone.
+Json map_around(const std::filesystem::path& file) {
+  const TiledTileset tileset = read_tileset(file);
+  return {{"type", "map"},
+          {"version", "1.10"},
+          {"orientation", "orthogonal"},
+          {"renderorder", "right-down"},
+          {"tilewidth", tileset.tile_width},
+          {"tileheight", tileset.tile_height},
+          {"tilesets", {{{"firstgid", 1}, {"source", file.filename().string()}}}},
+          {"layers",
+           {{{"type", "tilelayer"},
+             {"id", 1},
+             {"name", "tiles"},
+             {"x", 0},
+             {"y", 0},
+             {"opacity", 1},
+             {"visible", true}}}}};
+}
+
 }  // namespace
 
 std::string write_tmj(const Grid& map, const Tileset& tileset, const std::filesystem::path& original,
                       const std::filesystem::path& folder) {
   try {
-    Json root = Json::parse(read_bytes(original));
+    Json root = is_tileset(original) ? map_around(original) : Json::parse(read_bytes(original));
     root["layers"] = layers_of(root, map, tileset);
     for (Json& each : root["tilesets"]) {
       move_member(each, "source", original, folder);

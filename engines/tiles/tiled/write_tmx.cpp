@@ -4,6 +4,7 @@
 
 #include "base/file_error.h"
 #include "engines/tiles/read/file.h"
+#include "engines/tiles/tiled/tileset_files.h"
 #include "engines/tiles/tiled/write_tiled.h"
 
 namespace solitaire::tiles {
@@ -60,6 +61,33 @@ void set_data(pugi::xml_node layer, const Grid& map, const std::string& csv) {
   data.text().set(csv.c_str());
 }
 
+void attribute(pugi::xml_node node, const char* name, const std::string& value) {
+  node.append_attribute(name).set_value(value.c_str());
+}
+
+/// Makes an empty map with a tileset alone.
+void make_map_around(const fs::path& file, pugi::xml_document& document) {
+  const TiledTileset tileset = read_tileset(file);
+  pugi::xml_node root = document.append_child("map");
+  attribute(root, "version", "1.10");
+  attribute(root, "orientation", "orthogonal");
+  attribute(root, "renderorder", "right-down");
+  set(root, "tilewidth", tileset.tile_width);
+  set(root, "tileheight", tileset.tile_height);
+  pugi::xml_node used = root.append_child("tileset");
+  attribute(used, "firstgid", "1");
+  attribute(used, "source", file.filename().string());
+  pugi::xml_node layer = root.append_child("layer");
+  attribute(layer, "id", "1");
+  attribute(layer, "name", "tiles");
+}
+
+void load_pattern(const fs::path& original, pugi::xml_document& document) {
+  if (is_tileset(original)) return make_map_around(original, document);
+  const std::string bytes = read_bytes(original);
+  if (!document.load_buffer(bytes.data(), bytes.size())) throw FileError(original.string(), "has changed");
+}
+
 }  // namespace
 
 std::uint32_t gid_in_layer(const Tileset& tileset, Tile tile, std::size_t layer) {
@@ -77,8 +105,7 @@ std::string moved_name(const std::string& name, const fs::path& original, const 
 std::string write_tmx(const Grid& map, const Tileset& tileset, const fs::path& original,
                       const fs::path& folder) {
   pugi::xml_document document;
-  const std::string bytes = read_bytes(original);
-  if (!document.load_buffer(bytes.data(), bytes.size())) throw FileError(original.string(), "has changed");
+  load_pattern(original, document);
   const pugi::xml_node root = document.child("map");
   const std::vector<pugi::xml_node> layers = visible_layers(root);
   if (layers.empty()) throw FileError(original.string(), "has changed");
