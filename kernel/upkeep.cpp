@@ -115,8 +115,8 @@ class Picking {
   Picking(const WholeCode& whole, const std::vector<bool>& kept)
       : whole_(whole), kept_(kept), asked_(kept.size(), false), seen_(whole.code().size(), false) {}
 
-  /// Makes kept cells, if `anew` has them, and others from kept ones. Kept cells and those that are asked for
-  /// last.
+  /// Makes kept cells, if `anew` has them, and others from kept ones. Those that are asked for last, and of
+  /// these alone are any kept.
   std::vector<Instruction> code(const std::vector<Cell>& cells, bool anew) {
     std::vector<std::uint32_t> found;
     std::vector<Cell> open;
@@ -141,7 +141,7 @@ class Picking {
     for (const std::uint32_t number : found) {
       seen_[number] = false;
       made.push_back(whole_.code()[number]);
-      made.back().lasts = kept_[made.back().result] || asked_[made.back().result];
+      made.back().lasts = asked_[made.back().result];
     }
     for (const Cell cell : cells) asked_[cell] = false;
     return made;

@@ -32,6 +32,9 @@ TEST_CASE("block: floats that multiply each other, or that a condition holds, ar
       "a = normal(0, 1); b = normal(0, 1); c = normal(0, 1); observe(Normal(a + b * c, 1), 2.0); return a;",
       1);
   CHECK(crossed.kernel().program().block.choices == std::vector<ChoiceNumber>{0, 1});
+  Traced of_three("a = normal(0, 1); b = normal(0, 1); c = normal(0, 1); factor(0.1 * a * b * c); return a;",
+                  1);
+  CHECK(of_three.kernel().program().block.choices == std::vector<ChoiceNumber>{0, 1});
 }
 
 /// A density over that of the block given the rest is that of the rest, in which the block's floats do not

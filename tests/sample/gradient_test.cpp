@@ -221,5 +221,15 @@ TEST_CASE("joint moves: a trajectory becomes as long as it may where nothing tur
   CHECK(std::sqrt(squares / kRuns) > 250);
 }
 
+TEST_CASE("gradient: where a change of all floats makes the density infinite, their values are kept") {
+  Traced traced("a = normal(0, 1); b = normal(0, 1); factor(1e308 * max(a + b - 50, 0)); return a;", 1);
+  Kernel& kernel = traced.kernel();
+  CHECK(kernel.propose_floats(std::array{30.0, 40.0}) == Kernel::Outcome::kImpossible);
+  const auto infinite = kernel.take_infinite();
+  REQUIRE(infinite);
+  CHECK((*infinite)[0].f == 30);
+  CHECK((*infinite)[1].f == 40);
+}
+
 }  // namespace
 }  // namespace solitaire

@@ -9,6 +9,7 @@
 
 #include "engines/sample/proposal.h"
 #include "engines/sample/shred/conditional.h"
+#include "kernel/called_operations.h"
 #include "kernel/compiler.h"
 #include "kernel/forms.h"
 #include "kernel/machine.h"
@@ -243,6 +244,9 @@ constexpr const char* kFormTexts[] = {
     "w;",
     "r = gamma(2, 1); s = gamma(3, 1); observe(Poisson(3 * r * s), 4); observe(Exponential(r / s), 0.5); "
     "return r;",
+    // The forms of a and b, which are not drawn together, share what follows from s.
+    "a = normal(0, 5); b = normal(0, 5); s = exponential(1); assert(a > -9); assert(b > -9); for x in 1..9: "
+    "observe(Normal(a + b * x, s), 3 * x - 1); return a, b, s;",
 };
 
 std::vector<const char*> texts_with_forms() {
@@ -442,6 +446,7 @@ class BothMachines {
 };
 
 /// Code in which each instruction may read what any before it made, and cells with numbers to start from.
+/// Calls empty the registers, so every other code has none.
 TEST_CASE("compiler: random code gives the same bits as the machine that interprets it") {
   RandomStream stream(5, Purpose::kSample, 3);
   for (int round = 0; round < 40; ++round) {
@@ -463,6 +468,7 @@ TEST_CASE("compiler: random code gives the same bits as the machine that interpr
     while (code.size() < 150) {
       const Operation& row = kOperations[stream.below(kOperations.size())];
       if (row.fold == nullptr || row.arity == 0 || has_table(row.op)) continue;
+      if (round % 2 == 1 && is_called(row.op)) continue;
       Instruction step(row.op, static_cast<Cell>(cells.size()), {});
       for (std::size_t k = 0; k < row.arity; ++k)
         step.operands[k] = some(row.arity == 3 && k == 0 ? Type::kBool : row.operand);
