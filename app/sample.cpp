@@ -8,6 +8,7 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/session.h"
+#include "base/counted.h"
 
 namespace solitaire::app {
 namespace {
@@ -19,10 +20,9 @@ SampleOptions sampling(const Session& session, const Options& options) {
 }
 
 std::string account(const SampleSummary& summary) {
-  std::string text =
-      fmt::format("{} draws of {} chain{} in {:.1f} s, {:.0f} steps a second, {:.0f} % accepted",
-                  summary.draws, summary.chains, summary.chains == 1 ? "" : "s", summary.seconds,
-                  summary.steps_per_second, 100 * summary.acceptance);
+  std::string text = fmt::format("{} of {} in {:.1f} s, {:.0f} steps a second, {:.0f} % accepted",
+                                 counted(summary.draws, "draw"), counted(summary.chains, "chain"),
+                                 summary.seconds, summary.steps_per_second, 100 * summary.acceptance);
   for (const SampledMoves& move : summary.moves) {
     text +=
         fmt::format("\n  {}: {:.0f} % of {} accepted", move.name,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/report.h"
+#include "base/counted.h"
 
 namespace solitaire::app {
 namespace {
@@ -35,10 +36,10 @@ std::string ending_text(const Summary& summary, Ending ending, StopReason reason
 std::string summary_text(const Summary& summary, Ending ending, double seconds, StopReason reason,
                          const Options& options) {
   std::string text =
-      fmt::format("{} solution{}{} in {:.2f} s", summary.solutions, summary.solutions == 1 ? "" : "s",
+      fmt::format("{}{} in {:.2f} s", counted(summary.solutions, "solution"),
                   summary.earlier > 0 ? fmt::format(" ({} of them earlier)", summary.earlier) : "", seconds);
   if (const auto runs = summary.times.replays; options.search.run_each && runs > 0)
-    text += fmt::format(", checked by {} run{}", runs, runs == 1 ? "" : "s");
+    text += ", checked by " + counted(runs, "run");
   const bool names_only = summary.names_differed && options.search.distinct == Distinct::kResult;
   if (summary.alike > 0) {
     text += fmt::format(

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/counted.h"
 #include "library/freeze.h"
 
 namespace solitaire::api {
@@ -279,8 +280,8 @@ std::string dead_text(const solitaire::DeadAsserts& asserts, const SourceSet& so
     text += format({each.span, why, "", {}}, sources, "note");
   }
   if (asserts.undecided > 0) {
-    text += fmt::format("of {} further assert{} it was not found out whether {} anything out\n",
-                        asserts.undecided, asserts.undecided == 1 ? "" : "s",
+    text += fmt::format("of {} it was not found out whether {} anything out\n",
+                        counted(asserts.undecided, "further assert"),
                         asserts.undecided == 1 ? "it rules" : "they rule");
   }
   return text;

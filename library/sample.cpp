@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <solitaire/sample.h>
 
+#include "base/counted.h"
 #include "engines/sample/diagnostics/draw_summary.h"
 #include "engines/sample/sampling.h"
 #include "engines/tuning.h"
@@ -87,16 +88,16 @@ void warn_of_troubles(const std::vector<ChainResult>& chains, std::uint64_t swee
   }
   if (all.infinities > 0) {
     warn(fmt::format(
-        "the density is infinite where {} steps led, which were refused; keep factors finite, and scales and "
+        "the density is infinite where {} led, and nothing went there; keep factors finite, and scales and "
         "arguments of log away from 0",
-        all.infinities));
+        counted(all.infinities, "step")));
   }
   if (all.divergences > 0) {
     warn(fmt::format(
-        "{} trajectories of the No-U-Turn sampler diverged: somewhere the density bends too sharply for its "
+        "the No-U-Turn sampler diverged along {}: somewhere the density bends too sharply for its "
         "steps, and draws from there may be missing; draw normal(0, 1) and multiply it by its scale rather "
         "than normal(0, scale), or ask for a longer warm-up (--warmup)",
-        all.divergences));
+        all.divergences == 1 ? "a trajectory" : fmt::format("{} trajectories", all.divergences)));
   }
 }
 

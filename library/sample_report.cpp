@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "base/counted.h"
+
 namespace solitaire::api {
 namespace {
 
@@ -182,8 +184,9 @@ figcaption {{ margin-top: .4rem; color: var(--soft); font-size: .8rem; }}
 std::string summary_table(const SampleSummary& summary) {
   std::string text = "<pre tabindex=\"0\" role=\"region\" aria-label=\"Summary\">" +
                      html_text(to_text(summary)) + "</pre>\n";
-  return text + fmt::format("<p>{} draws of {} chains; {} steps, {:.0f} % of them taken.</p>\n",
-                            summary.draws, summary.chains, summary.steps, 100 * summary.acceptance);
+  return text + fmt::format("<p>{} of {}; {} steps, {:.0f} % of them taken.</p>\n",
+                            counted(summary.draws, "draw"), counted(summary.chains, "chain"), summary.steps,
+                            100 * summary.acceptance);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <solitaire/solution.h>
 
+#include "base/counted.h"
 #include "tracegraph/scalar.h"
 
 namespace solitaire::api {
@@ -37,8 +38,7 @@ std::string quality_text(const Solution& solution) {
   if (!solution.quality) return "";
   const Quality& quality = *solution.quality;
   std::string text;
-  if (quality.broken > 0)
-    text += fmt::format("{} assert{} broken, ", quality.broken, quality.broken == 1 ? "" : "s");
+  if (quality.broken > 0) text += counted(quality.broken, "assert") + " broken, ";
   if (quality.is_maximum) {
     text += fmt::format("maximum {}, ", -quality.cost);
   } else if (quality.wishes > 0) {

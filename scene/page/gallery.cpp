@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 #include <string_view>
 
+#include "base/counted.h"
 #include "scene/text.h"
 
 namespace solitaire {
 namespace {
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string fact(std::string_view name, std::string_view value) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escape_markup(name), escape_markup(value));

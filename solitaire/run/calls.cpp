@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "base/counted.h"
 #include "base/nearest_name.h"
 
 namespace solitaire {
@@ -140,8 +141,8 @@ std::vector<Value> Calls::bind(const std::string& name, const std::vector<Parame
   const auto shown = [&] { return name.empty() ? "this function" : fmt::format("'{}'", name); };
   if (positional.size() > parameters.size()) {
     program_error(site.span,
-                  fmt::format("{} takes {} argument{}, here are {}", shown(), parameters.size(),
-                              parameters.size() == 1 ? "" : "s", positional.size() + named.size()));
+                  fmt::format("{} takes {}, here are {}", shown(), counted(parameters.size(), "argument"),
+                              positional.size() + named.size()));
   }
   std::vector<Value> arguments = std::move(positional);
   arguments.resize(parameters.size());
@@ -302,9 +303,8 @@ Value Calls::call_builtin(const Builtin& builtin, const CallExpr& site) {
 }
 
 void Calls::too_many_arguments(const Builtin& builtin, const CallExpr& site, std::size_t given) {
-  const std::size_t parameters = builtin.parameters.size();
-  program_error(site.span, fmt::format("'{}' takes {} argument{}, here are {}", builtin.name, parameters,
-                                       parameters == 1 ? "" : "s", given));
+  program_error(site.span, fmt::format("'{}' takes {}, here are {}", builtin.name,
+                                       counted(builtin.parameters.size(), "argument"), given));
 }
 
 Value Calls::call_builtin(const Builtin& builtin, const CallExpr& site, std::vector<Value> positional,

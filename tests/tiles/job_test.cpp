@@ -55,6 +55,12 @@ TEST_CASE("what came before a stop is kept") {
   CHECK(job.summary().starts_with(std::to_string(delivered) + " maps of 6x6"));
 }
 
+TEST_CASE("of a single map it is told as of one") {
+  Job job(streets(6, 6));
+  CHECK(job.run([](std::uint64_t) {}) == JobEnding::kDone);
+  CHECK(job.summary().starts_with("1 map of 6x6, "));
+}
+
 TEST_CASE("fitting, counting and explaining end when they are asked to") {
   JobOptions fitted = streets(20, 20);
   fitted.weights = WeightsKind::kFitted;

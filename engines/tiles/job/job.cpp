@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/counted.h"
 #include "engines/tiles/check/check.h"
 #include "engines/tiles/count/count.h"
 #include "engines/tiles/explain/explain.h"
@@ -369,8 +370,8 @@ std::vector<ShownTile> Job::shown_tiles() const {
 
 std::string Job::summary() const {
   const State& state = *state_;
-  std::string text = fmt::format("{} maps of {}, {} windows redrawn", state.maps.size(),
-                                 size_text(state.problem.size()), state.windows);
+  std::string text = fmt::format("{} of {}, {} redrawn", counted(state.maps.size(), "map"),
+                                 size_text(state.problem.size()), counted(state.windows, "window"));
   if (state.left > 0) text += fmt::format(", {} left as they were", state.left);
   if (state.refused > 0) text += fmt::format(", {} put back", state.refused);
   if (state.style->exemplars.empty()) return text + "\n";
