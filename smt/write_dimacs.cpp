@@ -48,10 +48,7 @@ std::string to_dimacs(const Graph& graph, const AddressTable& addresses, std::sp
   Circuit circuit;
   Cnf cnf(circuit, text);
   BitBlaster blaster(graph, circuit, cnf);
-  for (const NodeId condition : conditions) {
-    const Literal literal = blaster.condition(condition);
-    cnf.add_clause({&literal, 1});
-  }
+  for (const NodeId condition : conditions) blaster.require(condition);
   std::string comments = kHeader;
   for (std::size_t i = 0; i < graph.variables().size(); ++i) {
     if (blaster.choices().inputs(i).empty()) continue;  // no condition depends on it

@@ -66,11 +66,7 @@ std::int64_t SpacePart::free_value(std::uint64_t number) const {
 const ProjectedModels& SpacePart::models() {
   if (compiled_) return compiled_->models;
   const auto compiled = std::make_shared<Compiled>(*graph_);
-  for (const NodeId condition : conditions_) {
-    std::vector<Literal> literals;
-    compiled->blaster.add_alternatives(condition, literals);
-    compiled->cnf.add_clause(literals);
-  }
+  for (const NodeId condition : conditions_) compiled->blaster.require(condition);
   std::vector<int> projection;
   for (const std::size_t variable : variables_) {
     compiled->blaster.choices().add(variable);

@@ -166,6 +166,58 @@ Literal BitBlaster::condition(NodeId node) {
   return literal(node);
 }
 
+void BitBlaster::require(NodeId condition) {
+  meet_new_nodes();
+  std::vector<NodeId> pending{condition};
+  while (!pending.empty()) {
+    const NodeId at = pending.back();
+    pending.pop_back();
+    const Graph::Node& node = graph_.node(at);
+    if (is_compiled({at, Form::kBits}) || !small_cones_.tabled(at).empty()) {
+      require_by_clause(at);
+    } else if (node.op == Op::kAnd) {
+      set_literal(at, kTrueLiteral);
+      pending.insert(pending.end(), {node.operands[1], node.operands[0]});
+    } else if (is_difference_of_orders(at)) {
+      set_literal(at, kTrueLiteral);
+      require_different(node.operands[0]);
+    } else {
+      require_by_clause(at);
+    }
+  }
+}
+
+void BitBlaster::require_by_clause(NodeId condition) {
+  std::vector<Literal> literals;
+  add_alternatives(condition, literals);
+  cnf_.add_clause(literals);
+}
+
+/// Returns true if the condition is that two ints differ which both are written in order encoding, and not
+/// constant, and nobody has asked yet whether they are equal.
+bool BitBlaster::is_difference_of_orders(NodeId condition) {
+  const Graph::Node& negation = graph_.node(condition);
+  if (negation.op != Op::kNot || is_compiled({negation.operands[0], Form::kBits})) return false;
+  const Graph::Node& equation = graph_.node(negation.operands[0]);
+  const auto [a, b, unused] = equation.operands;
+  return equation.op == Op::kEqInt && !graph_.node(b).is_constant() && comparable_in_order(a, b) &&
+         linear_form(a, b) == nullptr;
+}
+
+void BitBlaster::require_different(NodeId equation) {
+  const auto [a, b, unused] = graph_.node(equation).operands;
+  compile({a, Form::kOrder});
+  compile({b, Form::kOrder});
+  set_literal(equation, kFalseLiteral);
+  if (order(a)->size() == 1 || order(b)->size() == 1) {
+    const Literal differ = !equal(circuit_, order(a), order(b));
+    return cnf_.add_clause({&differ, 1});
+  }
+  use(circuit_, *order(a));
+  use(circuit_, *order(b));
+  cnf_.require_different(*order(a), *order(b));
+}
+
 void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& literals) {
   const Graph::Node& negation = graph_.node(condition);
   const Graph::Node& equality = graph_.node(negation.operands[0]);
@@ -191,14 +243,18 @@ void BitBlaster::add_other_values(std::size_t variable, std::int64_t value, std:
 }
 
 void BitBlaster::compile(Part part) {
-  compiled_.resize(graph_.size());
-  find_order_sizes();
+  meet_new_nodes();
   const auto push_needed = [this](Part at, std::vector<Part>& pending) {
     require_bits(graph_, at.node);
     push_operands(at, pending);
   };
   in_post_order(
       part, [this](Part at) { return is_compiled(at); }, push_needed, [this](Part at) { compile_one(at); });
+}
+
+void BitBlaster::meet_new_nodes() {
+  compiled_.resize(graph_.size());
+  find_order_sizes();
 }
 
 bool BitBlaster::is_compiled(Part part) const {
@@ -271,38 +327,46 @@ void BitBlaster::compile_one(Part part) {
 void BitBlaster::find_order_sizes() {
   const auto known = static_cast<std::uint32_t>(order_sizes_.size());
   if (known == graph_.size()) return;
+  order_sizes_.resize(graph_.size());
   count_comparisons();
   find_order_sizes_from(known);
   const std::vector<std::size_t> in_bits =
       wide_choices_in_bits(graph_, known, [this](NodeId node) { return order_size(node); });
   for (const std::size_t variable : in_bits) choices_.write_in_bits(variable);
   if (!in_bits.empty()) find_order_sizes_from(known);
-  small_cones_.meet_new(order_sizes_);
+  small_cones_.meet_new([this](NodeId node) { return order_size(node).is_ordered(); });
 }
 
 /// Operands are older than what uses them.
 void BitBlaster::find_order_sizes_from(std::uint32_t first) {
-  order_sizes_.resize(first);
-  order_sizes_.resize(graph_.size());
   for (std::uint32_t i = first; i < graph_.size(); ++i) {
-    const NodeId id{i};
-    const Graph::Node& node = graph_.node(id);
-    const OrderSizing size = row_of(node).size;
-    if (size != nullptr) order_sizes_[i] = size(*this, node.interval, operands_or_itself(node, id));
-    if (!order_sizes_[i].is_ordered() && (node.op == Op::kAdd || node.op == Op::kSub))
-      order_sizes_[i] = compared_sum_size(node.interval, order_size(node.operands[0]),
-                                          order_size(node.operands[1]), comparisons_[i]);
+    const Graph::Node& node = graph_.node({i});
+    if (node.type() != Type::kInt) continue;
+    const OrderSize size = size_in_order({i});
+    if (size.is_ordered() || order_size({i}).is_ordered()) order_sizes_[i] = size;
   }
 }
 
-/// Counts the comparisons of each node that is new in the graph.
+OrderSize BitBlaster::size_in_order(NodeId id) const {
+  const Graph::Node& node = graph_.node(id);
+  const OrderSizing sizing = row_of(node).size;
+  OrderSize size;
+  if (sizing != nullptr) size = sizing(*this, node.interval, operands_or_itself(node, id));
+  const auto comparisons = comparisons_.find(id.index);
+  if (size.is_ordered() || comparisons == comparisons_.end()) return size;
+  return compared_sum_size(node.interval, order_size(node.operands[0]), order_size(node.operands[1]),
+                           comparisons->second);
+}
+
+/// Counts the comparisons of each sum among the nodes that are new in the graph.
 void BitBlaster::count_comparisons() {
-  const auto known = static_cast<std::uint32_t>(comparisons_.size());
-  comparisons_.resize(graph_.size());
-  for (std::uint32_t i = known; i < graph_.size(); ++i) {
-    const Graph::Node& node = graph_.node({i});
+  for (; counted_ < graph_.size(); ++counted_) {
+    const Graph::Node& node = graph_.node({counted_});
     if (node.op != Op::kEqInt && node.op != Op::kLtInt && node.op != Op::kLeInt) continue;
-    for (const NodeId operand : node.args()) ++comparisons_[operand.index];
+    for (const NodeId operand : node.args()) {
+      const Op op = graph_.node(operand).op;
+      if (op == Op::kAdd || op == Op::kSub) ++comparisons_[operand.index];
+    }
   }
 }
 

@@ -15,6 +15,7 @@
 #include "smt/sat/order_encoded_int.h"
 #include "smt/sat/order_size.h"
 #include "smt/sat/small_cones.h"
+#include "smt/sat/sparse_table.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -34,6 +35,10 @@ class BitBlaster {
   /// Returns the literal of a bool node. The bounds of choices that are met for the first time are added to
   /// the Cnf. Throws UnsupportedOperation.
   Literal condition(NodeId node);
+  /// Requires a condition, and all parts of a conjunction one by one. That two ints in order encoding differ
+  /// becomes an order difference without gates: where many ints have to differ, each two of them do. What is
+  /// required is a constant for conditions that come later. Throws UnsupportedOperation.
+  void require(NodeId condition);
   /// Appends literals to `literals`, one of which holds where the condition does. A condition that a choice
   /// differs from a value becomes the choice's own literals, so that clauses that keep thousands of solutions
   /// from coming again need no further variables. Throws UnsupportedOperation.
@@ -62,6 +67,7 @@ class BitBlaster {
     std::uint32_t order = 0;  // its place in orders_ from 1
   };
 
+  void meet_new_nodes();
   void compile(Part part);
   bool is_compiled(Part part) const;
   void push_operands(Part part, std::vector<Part>& pending);
@@ -71,6 +77,7 @@ class BitBlaster {
   const LinearForm* linear_form(NodeId a, NodeId b);
   void find_order_sizes();
   void find_order_sizes_from(std::uint32_t first);
+  OrderSize size_in_order(NodeId id) const;
   void add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals);
   OrderEncodedInt choice_order(NodeId choice);
   void count_comparisons();
@@ -79,14 +86,21 @@ class BitBlaster {
   Literal table(NodeId condition, std::span<const NodeId> choices);
   Literal allowed(NodeId a, NodeId b, const PairTable& pairs);
   Literal has_value(NodeId node, std::size_t value);
+  bool is_difference_of_orders(NodeId condition);
+  void require_different(NodeId equation);
+  void require_by_clause(NodeId condition);
   Literal equality(NodeId a, NodeId b);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
   Literal linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form);
 
   bool is_int(NodeId node) const { return graph_.node(node).type() == Type::kInt; }
   Interval interval(NodeId node) const { return graph_.node(node).interval; }
-  OrderSize order_size(NodeId node) const { return order_sizes_[node.index]; }
+  OrderSize order_size(NodeId node) const {
+    const OrderSize* size = order_sizes_.find(node.index);
+    return size != nullptr ? *size : OrderSize{};
+  }
   Sized sized(NodeId node) const { return {order_size(node), interval(node)}; }
+  void set_literal(NodeId node, Literal literal) { compiled_[node.index].bits = literal.code() + 1; }
   Literal literal(NodeId node) const {
     const std::uint32_t code = compiled_[node.index].bits - 1;
     return {code / 2, code % 2 != 0};
@@ -101,8 +115,9 @@ class BitBlaster {
   std::vector<Compiled> compiled_;  // by node
   std::deque<Bits> numbers_;
   std::deque<SharedOrder> orders_;
-  std::vector<OrderSize> order_sizes_;      // by node
-  std::vector<std::uint32_t> comparisons_;  // by node: how many compare it
+  SparseTable<OrderSize> order_sizes_;                            // by node; most are no ints
+  std::unordered_map<std::uint32_t, std::uint32_t> comparisons_;  // by sum: how many compare it
+  std::uint32_t counted_ = 0;                                     // nodes whose comparisons are counted
   SmallCones small_cones_;
   std::unordered_map<std::uint64_t, std::optional<LinearForm>> linear_forms_;  // by the nodes compared
 };

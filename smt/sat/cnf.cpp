@@ -37,6 +37,11 @@ void Cnf::add_clause(std::span<const Literal> literals) {
   write_all();
 }
 
+void Cnf::require_different(const OrderEncodedInt& a, const OrderEncodedInt& b) {
+  write_difference(0, {&a, &b, OrderedPair::Relation::kDifferent});
+  write_all();
+}
+
 int Cnf::assumable(Literal literal) {
   circuit_.use(literal);
   const bool fixed = is_constant(literal) && !has_number(literal);

@@ -69,6 +69,8 @@ class Cnf {
 
   /// Requires that at least one of the literals holds.
   void add_clause(std::span<const Literal> literals);
+  /// Requires that two ints in order encoding differ, whose literals are used (use()).
+  void require_different(const OrderEncodedInt& a, const OrderEncodedInt& b);
   /// Returns the number of a literal that can be assumed. Where it holds, the circuit's literal holds.
   int assumable(Literal literal);
   /// Returns the number of a literal that holds where the circuit's literal does, and nowhere else.

@@ -3,6 +3,7 @@
 namespace solitaire {
 
 void GraphClauses::add_clause(std::span<const NodeId> conditions) {
+  if (conditions.size() == 1) return blaster_.require(conditions[0]);
   std::vector<Literal> literals;
   for (const NodeId condition : conditions) blaster_.add_alternatives(condition, literals);
   cnf_.add_clause(literals);

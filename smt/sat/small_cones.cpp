@@ -7,24 +7,22 @@
 
 namespace solitaire {
 
-void SmallCones::meet_new(std::span<const OrderSize> sizes) {
-  for (auto i = static_cast<std::uint32_t>(cones_.size()); i < graph_.size(); ++i) {
-    const Cone cone = cone_of(graph_.node({i}), {i}, sizes);
-    cones_.push_back(cone);
-  }
+void SmallCones::meet_new(const IsOrdered& is_ordered) {
+  for (auto i = static_cast<std::uint32_t>(cones_.size()); i < graph_.size(); ++i)
+    cones_.push_back(cone_of({i}, is_ordered));
 }
 
-SmallCones::Cone SmallCones::cone_of(const Graph::Node& node, NodeId id,
-                                     std::span<const OrderSize> sizes) const {
+SmallCones::Cone SmallCones::cone_of(NodeId id, const IsOrdered& is_ordered) const {
+  const Graph::Node& node = graph_.node(id);
   Cone cone;
   if (is_choice(node.op)) {
     cone.choices[0] = id;
-    cone.number = node.op == Op::kChoice && sizes[id.index].is_ordered() ? 1 : kMany;
+    cone.number = node.op == Op::kChoice && is_ordered(id) ? 1 : kMany;
     return cone;
   }
   for (const NodeId operand : node.args()) add(cone, cones_[operand.index]);
   if (node.op == Op::kEqInt || node.op == Op::kLtInt || node.op == Op::kLeInt) {
-    for (const NodeId operand : node.args()) cone.needs_bits |= !sizes[operand.index].is_ordered();
+    for (const NodeId operand : node.args()) cone.needs_bits |= !is_ordered(operand);
   }
   return cone;
 }

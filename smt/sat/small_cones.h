@@ -1,10 +1,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
-#include "smt/sat/order_size.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -15,8 +15,10 @@ class SmallCones {
  public:
   explicit SmallCones(const Graph& graph) : graph_(graph) {}
 
-  /// Takes note of the nodes that are new in the graph. `sizes` has the size of each node in order encoding.
-  void meet_new(std::span<const OrderSize> sizes);
+  /// Says whether a node is written in order encoding.
+  using IsOrdered = std::function<bool(NodeId)>;
+  /// Takes note of the nodes that are new in the graph.
+  void meet_new(const IsOrdered& is_ordered);
   /// Returns the choices below a condition that is to be written as a table, or none if it is not to be. The
   /// answer stays the same. There are only so many tables, as each takes time by its size.
   std::span<const NodeId> tabled(NodeId condition);
@@ -31,7 +33,7 @@ class SmallCones {
     enum class Decided : std::uint8_t { kNot, kTable, kNoTable } decided = Decided::kNot;
   };
 
-  Cone cone_of(const Graph::Node& node, NodeId id, std::span<const OrderSize> sizes) const;
+  Cone cone_of(NodeId id, const IsOrdered& is_ordered) const;
   static void add(Cone& cone, const Cone& operand);
   bool is_worth(NodeId condition, const Cone& cone);
 

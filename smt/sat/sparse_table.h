@@ -21,6 +21,10 @@ class SparseTable {
     const std::uint32_t number = numbers_[index];
     return number == 0 ? nullptr : &entries_[number - 1];
   }
+  const Entry* find(std::size_t index) const {
+    const std::uint32_t number = numbers_[index];
+    return number == 0 ? nullptr : &entries_[number - 1];
+  }
   /// Returns the entry, which is made if there was none.
   Entry& operator[](std::size_t index) {
     if (numbers_[index] == 0) {

@@ -147,12 +147,8 @@ TEST_CASE("truth tables: for conditions on two choices at most that need bits") 
   const NodeId two = choices.apply(Op::kLtInt, remainder(x[0]), x[1]);
   const NodeId three = choices.apply(Op::kAnd, two, choices.apply(Op::kLtInt, remainder(x[2]), x[1]));
   const NodeId ordered = choices.apply(Op::kLtInt, x[0], x[1]);
-  std::vector<OrderSize> sizes(choices.graph.size());
-  for (std::uint32_t i = 0; i < sizes.size(); ++i) {
-    if (choices.graph.node({i}).op != Op::kMod) sizes[i] = {25, 1};
-  }
   SmallCones cones(choices.graph);
-  cones.meet_new(sizes);
+  cones.meet_new([&](NodeId node) { return choices.graph.node(node).op != Op::kMod; });
   CHECK(cones.tabled(one).size() == 1);
   CHECK(cones.tabled(two).size() == 2);
   CHECK(cones.tabled(three).empty());
