@@ -28,7 +28,9 @@ struct DifferentInts {
   std::vector<NodeId> found() {
     const Permutations found = find_permutations(graph, find_separations(graph, conditions));
     std::vector<NodeId> implied = found.values;
-    implied.insert(implied.end(), found.sums.begin(), found.sums.end());
+    CHECK(found.taken.size() == found.values.size());
+    for (const auto* more : {&found.taken, &found.sums})
+      implied.insert(implied.end(), more->begin(), more->end());
     REQUIRE(can_hold(graph, conditions));
     for (const NodeId condition : implied) {
       std::vector<NodeId> broken = conditions;

@@ -5,7 +5,6 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -84,17 +83,19 @@ class Group {
     return members_.size() > 2 && all_->hi - all_->lo + 1 == static_cast<std::int64_t>(members_.size());
   }
 
-  /// Returns a condition for each value: exactly one member has it.
-  std::vector<NodeId> each_value_once(Graph& graph) const {
+  /// Adds two conditions for each value: some member has it, and exactly one does.
+  void add_values(Graph& graph, Permutations& to) const {
     const NodeId one = graph.constant(std::int64_t{1});
-    std::vector<NodeId> conditions;
     for (std::int64_t value = all_->lo; value <= all_->hi; ++value) {
       std::vector<NodeId> equal;
-      for (const ShiftedInt& member : members_)
+      NodeId any = kFalse;
+      for (const ShiftedInt& member : members_) {
         equal.push_back(graph.apply(Op::kEqInt, {{member.base}, graph.constant(value - member.offset)}));
-      conditions.push_back(graph.apply(Op::kEqInt, {count_of(graph, equal), one}));
+        any = graph.disjunction(any, equal.back());
+      }
+      to.taken.push_back(any);
+      to.values.push_back(graph.apply(Op::kEqInt, {count_of(graph, equal), one}));
     }
-    return conditions;
   }
 
   /// Returns the condition that the members add up to what the values do, if they are small enough.
@@ -208,7 +209,7 @@ Permutations find_permutations(Graph& graph, const Separations& separations) {
     const std::size_t size = group.members().size() * group.members().size();
     if (size > equations) return;
     equations -= size;
-    std::ranges::copy(group.each_value_once(graph), std::back_inserter(found.values));
+    group.add_values(graph, found);
     if (const auto sum = group.sum_of_values(graph)) found.sums.push_back(*sum);
     if (are_looked_up(graph, group)) add_equations(grouping.differences(), group, found.ruled_out);
   });

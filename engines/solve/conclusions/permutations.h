@@ -10,6 +10,7 @@ namespace solitaire {
 /// What follows from ints that pairwise differ and are as many as the values that they can have.
 struct Permutations {
   std::vector<NodeId> values;  // conditions: exactly one of the ints has that value
+  std::vector<NodeId> taken;   // conditions: some of the ints has that value
   std::vector<NodeId> sums;    // conditions: the ints add up to what their values do
   /// Equations that `values` rule out, between ints that are looked up in lists: to compare such ints is
   /// dear.

@@ -93,9 +93,9 @@ void ExecutionSolver::tell_over_full() {
   Separations separations = find_separations(graph_, required);
   comparisons_ = separations.comparisons;
   const Permutations permutations = find_permutations(graph_, separations);
-  implied_ = permutations.values;
   ruled_out_ = permutations.ruled_out;
-  for (const NodeId condition : implied_) require(condition);
+  for (const NodeId condition : permutations.values) require(condition);
+  implied_ = permutations.taken;
   implied_sums_ = permutations.sums;
   for (const NodeId sum : implied_sums_) comparisons_.push_back({sum});
   add_separations(graph_, others, separations);
