@@ -1,6 +1,7 @@
 #include "smt/cdcl/enumerator.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "smt/cdcl/choice_search.h"
@@ -16,10 +17,7 @@ class Enumerator::Search {
         search_(propagator_),
         cnf_(circuit_, propagator_),
         blaster_(graph, circuit_, cnf_) {
-    for (const NodeId condition : conditions) {
-      const Literal holds = blaster_.condition(condition);
-      cnf_.add_clause({&holds, 1});
-    }
+    for (const NodeId condition : conditions) blaster_.require(condition);
     for (const std::size_t variable : choices_) {
       blaster_.choices().add(variable);
       search_.add(blaster_.choices().inputs(variable), cnf_);
@@ -41,6 +39,7 @@ class Enumerator::Search {
         }
         propagator_.decide(literal);
       } else {
+        if (!suggested_.empty()) failed_ = decided_;
         if (++dead_ends % tuning::kDeadEndsPerLook == 0 && stop.stopped()) return over_ = Outcome::kStopped;
         if (dead_ends > most_dead_ends) return over_ = Outcome::kTooHard;
         const bool learns = !suggested_.empty() || dead_ends > tuning::kDeadEndsToLearn;
@@ -90,14 +89,18 @@ class Enumerator::Search {
     return true;
   }
 
-  /// Returns a literal that says that a choice takes its suggested value, or comes as near to it as an input
-  /// can say; without suggestions, that it takes the lowest of its values. Returns 0 if all choices are
-  /// decided.
+  /// Returns a literal to decide next, or 0 if all choices are decided.
   int next_decision() {
-    const auto choice = search_.next();
-    if (!choice) return 0;
+    if (failed_ && decision(*failed_) == 0) failed_.reset();  // it stands in the way no more
+    decided_ = failed_ ? failed_ : search_.next();
+    return decided_ ? decision(*decided_) : 0;
+  }
+
+  /// Returns a literal that says that a choice takes its suggested value, or comes as near to it as an input
+  /// can say; without suggestions, that it takes the lowest of its values. Returns 0 if it is decided.
+  int decision(std::size_t choice) const {
     int decided = 0;
-    for (const int input : search_.inputs(*choice)) {
+    for (const int input : search_.inputs(choice)) {
       if (propagator_.is_open(input) && (decided == 0 || is_suggested(input))) decided = input;
     }
     return is_suggested(decided) ? decided : -decided;
@@ -112,6 +115,7 @@ class Enumerator::Search {
   Propagator propagator_;
   ChoiceSearch search_;
   ConflictAnalysis analysis_;
+  std::optional<std::size_t> decided_, failed_;  // the choice decided last, and that before the last dead end
   std::size_t turned_ = 0;  // so many decisions stood when one was last replaced by its negation
   Cnf cnf_;
   BitBlaster blaster_;

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace solitaire {
@@ -96,6 +97,33 @@ TEST_CASE("enumerator: begins near values that are no model, after it has given 
   double sum = 0;
   for (std::size_t i = 1; i < found.size(); ++i) sum += distance(found[i - 1], found[i]);
   CHECK(sum / 351 < 0.8);  // of two out of all boards, the mean is 0.9
+}
+
+TEST_CASE("enumerator: what is required may be asked for again") {
+  Graph graph;
+  AddressTable addresses;
+  std::vector<NodeId> ints;
+  for (const char* name : {"x", "y", "z"})
+    ints.push_back(graph.choice({addresses.address(name), Distribution::range(1, 3)}));
+  const auto equal = [&](std::size_t a, std::size_t b) {
+    return graph.apply(Op::kEqInt, {ints[a], ints[b]});
+  };
+  NodeId differ = kTrue;
+  for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
+    differ = graph.conjunction(differ, graph.negation(equal(a, b)));
+  const NodeId either = graph.disjunction(equal(0, 1), graph.apply(Op::kLtInt, {ints[0], ints[2]}));
+  const auto models = [&](const std::vector<NodeId>& conditions) {
+    Enumerator enumerator(graph, conditions, std::vector<std::size_t>{0, 1, 2});
+    std::size_t number = 0;
+    while (enumerator.next(StopSignal()) == Enumerator::Outcome::kFound) ++number;
+    return number;
+  };
+  CHECK(models({differ}) == 6);
+  CHECK(models({differ, differ}) == 6);
+  CHECK(models({differ, either}) == 3);
+  CHECK(models({either, differ}) == 3);
+  CHECK(models({differ, graph.negation(differ)}) == 0);
+  CHECK(models({graph.negation(differ), differ}) == 0);
 }
 
 }  // namespace solitaire
