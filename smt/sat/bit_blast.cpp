@@ -133,7 +133,7 @@ class LinearComparison : public Definition {
     const LinearBound bound = linear(negated);
     const auto cardinality = as_cardinality(bound);
     if (cardinality && write_cardinality(circuit_, *cardinality, emit)) return;
-    auto unary = UnarySum::of(bound, tuning::kMostUnaryPairs);
+    auto unary = has_narrow_terms() ? UnarySum::of(bound, {tuning::kMostUnaryPairs}) : std::nullopt;
     const Literal literal = unary ? unary->at_least(circuit_, bound.least) : in_gates_() ^ negated;
     circuit_.use(literal);
     emit({&literal, 1});
@@ -149,6 +149,11 @@ class LinearComparison : public Definition {
   }
 
  private:
+  bool has_narrow_terms() const {
+    return std::ranges::all_of(
+        terms_, [](const Term& term) { return term.order->size() <= tuning::kMostInUnaryTerm; });
+  }
+
   Circuit& circuit_;
   std::vector<Term> terms_;
   std::int64_t least_;

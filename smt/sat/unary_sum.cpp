@@ -5,8 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "smt/tuning.h"
-
 namespace solitaire {
 namespace {
 
@@ -24,27 +22,30 @@ std::vector<std::int64_t> sums_of(const std::vector<std::int64_t>& a, const std:
 
 }  // namespace
 
-UnarySum::UnarySum(OrderEncodedInt term)
-    : values_(term.values),
+UnarySum::UnarySum(OrderEncodedInt term, std::size_t most_pairs)
+    : most_pairs_(most_pairs),
+      values_(term.values),
       step_(values_.size() == 2 ? values_[1] - values_[0] : 0),
       term_(std::make_unique<OrderEncodedInt>(std::move(term))) {}
 
 UnarySum::UnarySum(std::unique_ptr<UnarySum> one, std::unique_ptr<UnarySum> other)
-    : values_(sums_of(one->values_, other->values_)),
+    : most_pairs_(one->most_pairs_),
+      values_(sums_of(one->values_, other->values_)),
       step_(one->step_ == other->step_ ? one->step_ : 0),
       one_(std::move(one)),
       other_(std::move(other)) {}
 
-std::optional<UnarySum> UnarySum::of(const LinearBound& bound, std::size_t most) {
+std::optional<UnarySum> UnarySum::of(const LinearBound& bound, Limits limits) {
+  std::size_t left = limits.clauses;
   std::vector<std::unique_ptr<UnarySum>> sums;
   for (const auto& [of, factor] : bound.terms)
-    sums.push_back(std::unique_ptr<UnarySum>(new UnarySum(scaled(*of, factor))));
+    sums.push_back(std::unique_ptr<UnarySum>(new UnarySum(scaled(*of, factor), limits.pairs)));
   while (sums.size() > 1) {
     std::vector<std::unique_ptr<UnarySum>> larger;
     for (std::size_t i = 0; i + 1 < sums.size(); i += 2) {
       const std::size_t clauses = most_clauses(*sums[i], *sums[i + 1]);
-      if (clauses > most) return std::nullopt;
-      most -= clauses;
+      if (clauses > left) return std::nullopt;
+      left -= clauses;
       larger.push_back(std::unique_ptr<UnarySum>(new UnarySum(std::move(sums[i]), std::move(sums[i + 1]))));
     }
     if (sums.size() % 2 != 0) larger.push_back(std::move(sums.back()));
@@ -60,7 +61,7 @@ std::size_t UnarySum::most_clauses(const UnarySum& one, const UnarySum& other) {
 
 /// Returns true if a sum is a large count.
 bool UnarySum::is_counted(const UnarySum& one, const UnarySum& other) {
-  return one.values_.size() * other.values_.size() > tuning::kMostMergedByPairs && one.step_ != 0 &&
+  return one.values_.size() * other.values_.size() > one.most_pairs_ && one.step_ != 0 &&
          one.step_ == other.step_;
 }
 
@@ -105,7 +106,7 @@ Literal UnarySum::merged(Circuit& circuit, Strand one, Strand other, std::size_t
   };
   const std::size_t half = number / 2;
   Literal made;
-  if (one.count * other.count <= tuning::kMostMergedByPairs) {
+  if (one.count * other.count <= most_pairs_) {
     made = merged_by_pairs(circuit, one, other, stride, number);
   } else if (number % 2 == 0) {
     made = circuit.disjunction(even(half), odd(half + 1));

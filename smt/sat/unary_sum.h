@@ -8,6 +8,7 @@
 
 #include "smt/sat/circuit.h"
 #include "smt/sat/order_encoded_int.h"
+#include "smt/tuning.h"
 
 namespace solitaire {
 
@@ -21,8 +22,14 @@ namespace solitaire {
 /// follows from clauses of pairs follows from these.
 class UnarySum {
  public:
-  /// Returns nothing if the tree could need more clauses than `most`.
-  static std::optional<UnarySum> of(const LinearBound& bound, std::size_t most);
+  struct Limits {
+    std::size_t clauses;  // that the tree can need
+    /// Counts whose halves have more pairs of values than this are merged.
+    std::size_t pairs = tuning::kMostMergedByPairs;
+  };
+
+  /// Returns nothing if the tree could need more clauses than the limit.
+  static std::optional<UnarySum> of(const LinearBound& bound, Limits limits);
 
   /// Returns a literal that holds where the sum is no less than the bound. Its clauses are those of a search
   /// in which it has to hold: as soon as the terms that are known leave too little for the rest, it is false.
@@ -44,7 +51,7 @@ class UnarySum {
     friend auto operator<=>(const Merged&, const Merged&) = default;
   };
 
-  explicit UnarySum(OrderEncodedInt term);
+  UnarySum(OrderEncodedInt term, std::size_t most_pairs);
   UnarySum(std::unique_ptr<UnarySum> one, std::unique_ptr<UnarySum> other);
 
   static std::size_t most_clauses(const UnarySum& one, const UnarySum& other);
@@ -55,6 +62,7 @@ class UnarySum {
   static Literal merged_by_pairs(Circuit& circuit, Strand one, Strand other, std::size_t stride,
                                  std::size_t number);
 
+  std::size_t most_pairs_;                  // of values of a count's halves, where these are not merged
   std::vector<std::int64_t> values_;        // that the sum can have
   std::int64_t step_;                       // of a count, by which each term can add to it; else 0
   std::unique_ptr<OrderEncodedInt> term_;   // of a leaf

@@ -80,6 +80,9 @@ struct OpenTerms {
   std::vector<std::int64_t> factors;
 };
 
+/// With these, counts of 32 terms and more are merged.
+constexpr UnarySum::Limits kLimits{100'000, 256};
+
 /// Few terms, or so many to be counted that they are merged.
 OpenTerms drawn_terms(std::mt19937_64& random, int round) {
   if (round % 10 == 0) return {random, 40 + random() % 90, true};
@@ -97,7 +100,7 @@ TEST_CASE("unary sums: what follows from a bound, once some terms are known, is 
   int left = 0;
   for (int round = 0; round < 300; ++round) {
     OpenTerms terms = drawn_terms(random, round);
-    auto sum = UnarySum::of(terms.bound(), 100'000);
+    auto sum = UnarySum::of(terms.bound(), kLimits);
     REQUIRE(sum);
     const std::int64_t bound = terms.most() - below(random, terms.orders.size() > 6 ? 90 : 8);
     const int asked = terms.cnf.assumable(sum->at_least(terms.circuit, bound));
@@ -137,7 +140,7 @@ TEST_CASE("unary sums: a bound allows the values that come to it, and no others"
   int allowed = 0, ruled_out = 0;
   for (int round = 0; round < 300; ++round) {
     OpenTerms terms = drawn_terms(random, round);
-    auto sum = UnarySum::of(terms.bound(), 100'000);
+    auto sum = UnarySum::of(terms.bound(), kLimits);
     REQUIRE(sum);
     std::vector<int> decisions;
     std::int64_t total = 0;
@@ -170,8 +173,8 @@ TEST_CASE("unary sums: a bound allows the values that come to it, and no others"
 TEST_CASE("unary sums: none of too many pairs of values") {
   std::mt19937_64 random(3);
   OpenTerms terms(random, 8, false);
-  CHECK(UnarySum::of(terms.bound(), 10'000));
-  CHECK_FALSE(UnarySum::of(terms.bound(), 50));
+  CHECK(UnarySum::of(terms.bound(), {10'000}));
+  CHECK_FALSE(UnarySum::of(terms.bound(), {50}));
 }
 
 }  // namespace solitaire
