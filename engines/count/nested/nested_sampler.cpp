@@ -183,9 +183,11 @@ bool NestedSampler::prepare(RandomStream& random, const StopSignal& stop) {
     }
     success_ = static_cast<double>(successes) / static_cast<double>(attempts);
     if (successes >= tuning::kManyDraws) return true;
-    if (most < tuning::kWorkBeforeDoubt) continue;
-    if (2 * most > tuning::kMostWorkToPrepare) return successes >= most / tuning::kMostWorkToDraw;
-    if (successes == 0 && 2 * bound() > bound_before) return false;
+    const bool bounds_stay = cases_kept_ >= tuning::kMostCasesKept;
+    if (2 * most > tuning::kMostWorkToPrepare || (bounds_stay && successes > 0))
+      return successes > 0 && successes >= most / tuning::kMostWorkToDraw;
+    if (bounds_stay && most >= tuning::kWorkWithoutSuccess) return false;
+    if (most >= tuning::kWorkBeforeDoubt && successes == 0 && 2 * bound() > bound_before) return false;
   }
 }
 

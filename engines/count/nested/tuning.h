@@ -17,7 +17,7 @@ constexpr std::size_t kCasesForOrder = 32;
 constexpr std::size_t kTrialsForOrder = 100;
 /// What the first and the last round of attempts take that prepare a NestedSampler, and those after which it
 /// is given up if the bound does not fall any more; in units of about 3 nanoseconds. A workspace of one group
-/// takes the first eight rounds, 12 s in all; sums of ten numbers are given up after 2 s.
+/// takes the first eight rounds, 12 s in all.
 constexpr std::uint64_t kFirstWorkToPrepare = 10'000'000;
 constexpr std::uint64_t kMostWorkToPrepare = 2'560'000'000;
 constexpr std::uint64_t kWorkBeforeDoubt = 320'000'000;
@@ -27,7 +27,10 @@ constexpr std::uint64_t kMostWorkInPreparing = 10'000'000'000;
 /// that, about half a second, they are drawn from cells. Judgement.
 constexpr std::uint64_t kManyDraws = 1000;
 constexpr std::uint64_t kMostWorkToDraw = 200'000'000;
-/// The cases of all places that are kept; each takes 16 bytes.
+/// The cases of all places that are kept; each takes 16 bytes. Once there are so many, bounds stay as they
+/// are, and there is nothing to prepare any more: it is settled by whether an attempt succeeds in a round of
+/// so much work. Sums of ten numbers are given up after 0.5 s so, and no sooner than after 2 s without.
 constexpr std::size_t kMostCasesKept = 4'000'000;
+constexpr std::uint64_t kWorkWithoutSuccess = 80'000'000;
 
 }  // namespace solitaire::tuning
