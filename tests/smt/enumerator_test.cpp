@@ -14,7 +14,7 @@ namespace solitaire {
 namespace {
 
 /// Ints from 0 on, and conditions on them.
-class Puzzle {
+class IntPuzzle {
  public:
   using Values = std::vector<std::int64_t>;
 
@@ -37,7 +37,7 @@ class Puzzle {
   }
 
  protected:
-  Puzzle(std::size_t count, std::int64_t last) {
+  IntPuzzle(std::size_t count, std::int64_t last) {
     for (std::size_t i = 0; i < count; ++i)
       ints_.push_back(
           graph_.choice({addresses_.address("i" + std::to_string(i)), Distribution::range(0, last)}));
@@ -56,9 +56,9 @@ class Puzzle {
 };
 
 /// Queens that do not attack each other. Each has its row, and chooses a column.
-class Queens : public Puzzle {
+class Queens : public IntPuzzle {
  public:
-  explicit Queens(std::size_t count) : Puzzle(count, static_cast<std::int64_t>(count) - 1) {
+  explicit Queens(std::size_t count) : IntPuzzle(count, static_cast<std::int64_t>(count) - 1) {
     for (std::size_t a = 0; a < count; ++a) {
       for (std::size_t b = a + 1; b < count; ++b) {
         const auto rows = static_cast<std::int64_t>(b - a);
@@ -70,9 +70,9 @@ class Queens : public Puzzle {
 };
 
 /// Six ints from 0 to 3, and pairs of values that some of them do not have together.
-class ForbiddenPairs : public Puzzle {
+class ForbiddenPairs : public IntPuzzle {
  public:
-  explicit ForbiddenPairs(std::mt19937_64& random) : Puzzle(kInts, kLast) {
+  explicit ForbiddenPairs(std::mt19937_64& random) : IntPuzzle(kInts, kLast) {
     for (std::size_t n = 30 + random() % 50; n > 0; --n) {
       const std::size_t b = 1 + random() % (kInts - 1), a = random() % b;
       const Pair pair{a, b, value(random), value(random)};
@@ -119,7 +119,7 @@ class ForbiddenPairs : public Puzzle {
   std::vector<Pair> pairs_;
 };
 
-double distance(const Puzzle::Values& a, const Puzzle::Values& b) {
+double distance(const IntPuzzle::Values& a, const IntPuzzle::Values& b) {
   std::size_t others = 0;
   for (std::size_t row = 0; row < a.size(); ++row) others += a[row] == b[row] ? 0 : 1;
   return static_cast<double>(others) / static_cast<double>(a.size());
@@ -130,14 +130,14 @@ double distance(const Puzzle::Values& a, const Puzzle::Values& b) {
 TEST_CASE("enumerator: from whichever model it begins near, it gives that first and each other once") {
   const Queens queens(7);
   Enumerator from_lowest = queens.enumerator();
-  const std::vector<Puzzle::Values> boards = queens.rest(from_lowest);
-  const std::set<Puzzle::Values> all(boards.begin(), boards.end());
+  const std::vector<IntPuzzle::Values> boards = queens.rest(from_lowest);
+  const std::set<IntPuzzle::Values> all(boards.begin(), boards.end());
   CHECK(boards.size() == 40);
   REQUIRE(all.size() == 40);
-  for (const Puzzle::Values& board : boards) {
+  for (const IntPuzzle::Values& board : boards) {
     Enumerator enumerator = queens.enumerator();
     enumerator.begin_near([&](std::size_t row) { return board[row]; });
-    const std::vector<Puzzle::Values> found = queens.rest(enumerator);
+    const std::vector<IntPuzzle::Values> found = queens.rest(enumerator);
     CHECK(found.front() == board);
     CHECK(found.size() == 40);
     CHECK(std::set(found.begin(), found.end()) == all);
@@ -150,7 +150,7 @@ TEST_CASE("enumerator: begins near values that are no model, after it has given 
   Enumerator enumerator = queens.enumerator();
   CHECK(enumerator.next(never, 0) == Enumerator::Outcome::kTooHard);
   enumerator.begin_near([](std::size_t) { return 4; });
-  const std::vector<Puzzle::Values> found = queens.rest(enumerator);
+  const std::vector<IntPuzzle::Values> found = queens.rest(enumerator);
   CHECK(found.size() == 352);
   CHECK(std::set(found.begin(), found.end()).size() == 352);
   double sum = 0;
@@ -198,11 +198,12 @@ TEST_CASE(
       if (outcome != Enumerator::Outcome::kTooHard) continue;
       ++gave_up;
     }
-    const std::set<Puzzle::Values> all = puzzle.solutions();
+    const std::set<IntPuzzle::Values> all = puzzle.solutions();
     if (all.empty()) continue;
-    const Puzzle::Values first = *std::next(all.begin(), static_cast<std::ptrdiff_t>(random() % all.size()));
+    const IntPuzzle::Values first =
+        *std::next(all.begin(), static_cast<std::ptrdiff_t>(random() % all.size()));
     enumerator.begin_near([&](std::size_t i) { return first[i]; });
-    const std::vector<Puzzle::Values> found = puzzle.rest(enumerator);
+    const std::vector<IntPuzzle::Values> found = puzzle.rest(enumerator);
     REQUIRE(found.size() == all.size());
     CHECK(found.front() == first);
     CHECK(std::set(found.begin(), found.end()) == all);
