@@ -266,9 +266,10 @@ TEST_CASE("limits: Ctrl-C ends a wait for the script, a second one does so at on
   for (const bool twice : {false, true}) {
     Command command(solitaire_with({"check", (place / "script.sol").string()}));
     std::this_thread::sleep_for(milliseconds(300));
+    command.wait_for_handler(SIGINT);
     command.signal(SIGINT);
     if (twice) {
-      std::this_thread::sleep_for(milliseconds(100));
+      command.wait_for_handler(SIGINT, false);
       command.signal(SIGINT);
     }
     const Outcome outcome = run_promptly(0, [&] { return command.wait(); });
@@ -528,7 +529,7 @@ TEST_CASE("limits: of a search for the best, the best so far is kept (slow)") {
     check_ended_in_order(out);
   }
   // With a time for each solution, the search for others goes on.
-  const Outcome outcome = run_solitaire({"solve", script, "-n", "2", "--per-solution", "1"});
+  const Outcome outcome = run_solitaire({"solve", script, "-n", "2", "--per-solution", "3"});
   CHECK(outcome.status == 0);
 }
 

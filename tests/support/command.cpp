@@ -1,6 +1,7 @@
 #include "tests/support/command.h"
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace solitaire {
@@ -66,6 +68,20 @@ Command::Command(const std::vector<std::string>& arguments, bool closed_stdout) 
 }
 
 void Command::signal(int number) const { kill(process_, number); }
+
+/// The kernel tells in hexadecimal for which signals there are handlers, the lowest bit for signal 1.
+bool Command::has_handler(int signal) const {
+  const std::string status = bytes_of(fs::path("/proc") / std::to_string(process_) / "status");
+  const std::string caught = "SigCgt:";
+  const std::size_t line = status.find(caught);
+  if (line == std::string::npos) return false;
+  return (std::stoull(status.substr(line + caught.size()), nullptr, 16) >> (signal - 1) & 1) != 0;
+}
+
+void Command::wait_for_handler(int signal, bool has_one) const {
+  for (int i = 0; i < 1000 && has_handler(signal) != has_one; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
 
 std::string Command::output() const { return bytes_of(workplace_ / "out"); }
 

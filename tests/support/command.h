@@ -34,11 +34,15 @@ class Command {
  public:
   explicit Command(const std::vector<std::string>& arguments, bool closed_stdout = false);
   void signal(int number) const;
+  /// Waits until the program has, or has no more, a handler of its own for a signal; at most some seconds.
+  void wait_for_handler(int signal, bool has_one = true) const;
   /// What it has written to standard output so far.
   std::string output() const;
   Outcome wait();
 
  private:
+  bool has_handler(int signal) const;
+
   Workplace workplace_;
   pid_t process_ = 0;
 };
