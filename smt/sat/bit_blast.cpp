@@ -178,12 +178,11 @@ void BitBlaster::require(NodeId condition) {
     const NodeId at = pending.back();
     pending.pop_back();
     const Graph::Node& node = graph_.node(at);
-    if (is_compiled({at, Form::kBits}) || !small_cones_.tabled(at).empty()) {
-      require_by_clause(at);
-    } else if (node.op == Op::kAnd) {
+    const bool is_open = !is_compiled({at, Form::kBits}) && small_cones_.tabled(at).empty();
+    if (is_open && node.op == Op::kAnd) {
       set_literal(at, kTrueLiteral);
       pending.insert(pending.end(), {node.operands[1], node.operands[0]});
-    } else if (is_difference_of_orders(at)) {
+    } else if (is_open && is_difference_of_orders(at)) {
       set_literal(at, kTrueLiteral);
       require_different(node.operands[0]);
     } else {

@@ -29,7 +29,7 @@ constexpr std::uint64_t kManyDraws = 1000;
 constexpr std::uint64_t kMostWorkToDraw = 200'000'000;
 /// The cases of all places that are kept; each takes 16 bytes. Once there are so many, bounds stay as they
 /// are, and there is nothing to prepare any more: it is settled by whether an attempt succeeds in a round of
-/// so much work. Sums of ten numbers are given up after 0.5 s so, and no sooner than after 2 s without.
+/// so much work, which takes some tenths of a second.
 constexpr std::size_t kMostCasesKept = 4'000'000;
 constexpr std::uint64_t kWorkWithoutSuccess = 80'000'000;
 
