@@ -178,11 +178,10 @@ void BitBlaster::require(NodeId condition) {
     const NodeId at = pending.back();
     pending.pop_back();
     const Graph::Node& node = graph_.node(at);
-    const bool is_open = !is_compiled({at, Form::kBits}) && small_cones_.tabled(at).empty();
-    if (is_open && node.op == Op::kAnd) {
+    if (is_open(at) && node.op == Op::kAnd) {
       set_literal(at, kTrueLiteral);
       pending.insert(pending.end(), {node.operands[1], node.operands[0]});
-    } else if (is_open && is_difference_of_orders(at)) {
+    } else if (is_open(at) && is_difference_of_orders(at)) {
       set_literal(at, kTrueLiteral);
       require_different(node.operands[0]);
     } else {
@@ -191,10 +190,15 @@ void BitBlaster::require(NodeId condition) {
   }
 }
 
+bool BitBlaster::is_open(NodeId condition) {
+  return !is_compiled({condition, Form::kBits}) && small_cones_.tabled(condition).empty();
+}
+
 void BitBlaster::require_by_clause(NodeId condition) {
   std::vector<Literal> literals;
   add_alternatives(condition, literals);
   cnf_.add_clause(literals);
+  if (is_open(condition)) set_literal(condition, kTrueLiteral);
 }
 
 /// Returns true if the condition is that two ints differ which both are written in order encoding, and not
@@ -222,16 +226,34 @@ void BitBlaster::require_different(NodeId equation) {
   cnf_.require_different(*order(a), *order(b));
 }
 
+/// Takes disjunctions apart while they are short: a longer one may meet the same part again and again, and
+/// `cnf_`, which takes gates apart, knows how often each is used.
 void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& literals) {
-  const Graph::Node& negation = graph_.node(condition);
-  const Graph::Node& equality = graph_.node(negation.operands[0]);
-  const auto [choice, constant, unused] = equality.operands;
-  if (negation.op == Op::kNot && equality.op == Op::kEqInt && graph_.node(choice).op == Op::kChoice &&
-      graph_.node(constant).is_constant()) {
-    add_other_values(graph_.node(choice).payload, interval(constant).lo, literals);
-  } else {
-    literals.push_back(this->condition(condition));
+  constexpr std::size_t kMostParts = 16;
+  meet_new_nodes();
+  std::vector<std::pair<NodeId, bool>> pending{{condition, true}};
+  for (std::size_t parts = 1; !pending.empty();) {
+    const auto [at, holds] = pending.back();
+    pending.pop_back();
+    const Graph::Node& node = graph_.node(at);
+    const auto [a, b, unused] = node.operands;
+    if (node.op == Op::kNot && small_cones_.tabled(at).empty()) {
+      pending.emplace_back(a, !holds);
+    } else if (node.op == (holds ? Op::kOr : Op::kAnd) && parts < kMostParts && is_open(at)) {
+      ++parts;
+      pending.insert(pending.end(), {{b, holds}, {a, holds}});
+    } else if (!holds && is_choice_of_value(at)) {
+      add_other_values(graph_.node(a).payload, interval(b).lo, literals);
+    } else {
+      literals.push_back(this->condition(at) ^ !holds);
+    }
   }
+}
+
+bool BitBlaster::is_choice_of_value(NodeId condition) const {
+  const Graph::Node& node = graph_.node(condition);
+  return node.op == Op::kEqInt && graph_.node(node.operands[0]).op == Op::kChoice &&
+         graph_.node(node.operands[1]).is_constant();
 }
 
 /// Appends literals one of which holds where the choice has another value.

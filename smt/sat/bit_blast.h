@@ -39,9 +39,10 @@ class BitBlaster {
   /// becomes an order difference without gates: where many ints have to differ, each two of them do. What is
   /// required is a constant for conditions that come later. Throws UnsupportedOperation.
   void require(NodeId condition);
-  /// Appends literals to `literals`, one of which holds where the condition does. A condition that a choice
-  /// differs from a value becomes the choice's own literals, so that clauses that keep thousands of solutions
-  /// from coming again need no further variables. Throws UnsupportedOperation.
+  /// Appends literals to `literals`, one of which holds where the condition does. A disjunction becomes those
+  /// of its parts, without a gate of its own if nobody has asked for it, and that a choice differs from a
+  /// value the choice's own literals, so that clauses that keep thousands of solutions from coming again need
+  /// no further variables. Throws UnsupportedOperation.
   void add_alternatives(NodeId condition, std::vector<Literal>& literals);
 
   /// The inputs of the choices that conditions have met so far.
@@ -89,6 +90,9 @@ class BitBlaster {
   bool is_difference_of_orders(NodeId condition);
   void require_different(NodeId equation);
   void require_by_clause(NodeId condition);
+  /// Returns true if nobody has asked for the condition yet, and no table says when it holds.
+  bool is_open(NodeId condition);
+  bool is_choice_of_value(NodeId condition) const;
   Literal equality(NodeId a, NodeId b);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
   Literal linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form);

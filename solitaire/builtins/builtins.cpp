@@ -272,6 +272,7 @@ Value pairs(Evaluator& evaluator, Call call) {
     const Elements items(list);
     evaluator.step(call.site.span, items.size() * items.size() / 2);
     std::vector<GuardedElement> made;
+    made.reserve(items.size() * items.size() / 2);
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
         const NodeId both =

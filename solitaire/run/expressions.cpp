@@ -84,7 +84,11 @@ Value Walk::membership(const BinaryExpr& node) {
 }
 
 Value Walk::logical(const LogicalExpr& node) {
-  const Value left = tested(*node.left);
+  const Value left = settle(tested(*node.left));
+  if (const Value* right = bool_at_hand(*node.right); right != nullptr && !left.is<bool>()) {
+    check_condition(node_of(*graph_, left), node.left->span);
+    return node.is_and ? both(left, *right) : either(left, *right);
+  }
   const auto right = [&] { return tested(*node.right); };
   if (node.computes && shows_both_sides(left)) {
     Aside aside;

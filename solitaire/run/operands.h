@@ -40,6 +40,14 @@ class Operands : public Summaries {
     return condition(operand(node, storage), node.span);
   }
 
+  /// The variable that an expression names, if it is a bool on every path: to read it takes no step, and can
+  /// be no mistake, so no path has to be followed for it. Null for anything else.
+  const Value* bool_at_hand(const Expr& node) {
+    if (node.kind != ExprKind::kName) return nullptr;
+    const Value* value = variable(static_cast<const NameExpr&>(node).binding);
+    return value != nullptr && value->has_type(Type::kBool) ? value : nullptr;
+  }
+
   Value literal(const LiteralExpr& node);
   Value name(const NameExpr& node);
   Value field_of(const FieldExpr& node);

@@ -1,7 +1,5 @@
 #include "engines/solve/conclusions/separations.h"
 
-#include <unordered_set>
-
 namespace solitaire {
 namespace {
 
@@ -22,16 +20,15 @@ class ConditionReader {
  public:
   explicit ConditionReader(const Graph& graph) : graph_(graph) {}
 
-  /// Calls `visit` with each literal of a conjunction, or of a disjunction, until it returns false. What is
-  /// in `seen` is left out.
-  template <class Visit>
-  void for_each_part(Op connective, SignedNode whole, std::unordered_set<std::uint64_t>& seen,
-                     Visit visit) const {
+  /// Calls `visit` with each literal of a conjunction, or of a disjunction, until it returns false. What
+  /// is_new(part) denies is left out, with what is in it.
+  template <class IsNew, class Visit>
+  void for_each_part(Op connective, SignedNode whole, IsNew is_new, Visit visit) const {
     std::vector<SignedNode> pending{whole};
     while (!pending.empty()) {
       const SignedNode at = pending.back();
       pending.pop_back();
-      if (!seen.insert(std::uint64_t{at.node.index} << 1 | (at.holds ? 1 : 0)).second) continue;
+      if (!is_new(at)) continue;
       const Graph::Node& node = graph_.node(at.node);
       const Op splits = at.holds == (connective == Op::kAnd) ? Op::kAnd : Op::kOr;
       if (node.op == Op::kNot) {
@@ -122,8 +119,8 @@ class BoundsReader {
 /// Returns the comparisons of which a condition is the disjunction, or nothing if it is none or has too many.
 std::vector<Precedence> alternatives(const ConditionReader& reader, SignedNode condition) {
   std::vector<Precedence> parts;
-  std::unordered_set<std::uint64_t> seen;
-  reader.for_each_part(Op::kOr, condition, seen, [&](SignedNode part) {
+  const auto each = [](SignedNode) { return true; };
+  reader.for_each_part(Op::kOr, condition, each, [&](SignedNode part) {
     const auto before = parts.size() < 4 ? reader.before(part) : std::nullopt;
     if (before) {
       parts.push_back(*before);
@@ -179,9 +176,15 @@ Separations find_separations(const Graph& graph, const std::vector<NodeId>& cond
 void add_separations(const Graph& graph, const std::vector<NodeId>& conditions, Separations& found) {
   const ConditionReader reader(graph);
   BoundsReader bounds(graph, found.bounds);
-  std::unordered_set<std::uint64_t> seen;
+  std::vector<bool> seen(2 * graph.size());
+  const auto is_new = [&](SignedNode part) {
+    const std::size_t number = 2 * std::size_t{part.node.index} + (part.holds ? 1 : 0);
+    if (seen[number]) return false;
+    seen[number] = true;
+    return true;
+  };
   for (const NodeId condition : conditions) {
-    reader.for_each_part(Op::kAnd, {condition}, seen, [&](SignedNode part) {
+    reader.for_each_part(Op::kAnd, {condition}, is_new, [&](SignedNode part) {
       if (const auto before = reader.before(part)) {
         bounds.add(*before, part);
         found.comparisons.push_back(part);
