@@ -34,6 +34,7 @@ def side_for(n):
 
 WORKSPACE = {"groups": lambda n: n, "most": lambda n: 14 + 7 * n, "aisle": lambda n: 2, "chairs": lambda n: 2}
 ROOM = {"n": lambda n: n, "side": side_for}
+BOX = {"h": lambda h: h}
 SIDE = {"side": lambda n: n}
 LOT = {"n": lambda n: n, "stalls": lambda n: 280 * n * n // 576}
 SHOP = {"n": lambda n: n, "side": lambda n: int((24 * n) ** 0.5) + 1}  # the shelves fill a sixth of it
@@ -71,6 +72,9 @@ def rows():
         Row("seating_report", (24, 48, 72, 120)),
         Row("queens_pairs", (25, 50, 75, 100)),
         Row("knights_tour", (5, 6, 7, 8)),
+        Row("pentominoes", (6, 5, 4, 3), params=BOX),
+        Row("pentominoes_by_pairs", (6, 5, 4, 3), params=BOX),
+        Row("pentominoes_choose", (6, 5, 4, 3), params=BOX),
         Row("langford", (7, 8, 11, 12, 15)),
         Row("connected_map", (6, 8, 10, 12, 14)),
         Row("river", (6, 8, 10, 14)),

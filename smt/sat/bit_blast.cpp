@@ -194,11 +194,23 @@ bool BitBlaster::is_open(NodeId condition) {
   return !is_compiled({condition, Form::kBits}) && small_cones_.tabled(condition).empty();
 }
 
+/// A disjunction is a clause of its two sides. What they consist of is left to `cnf_`, since other conditions
+/// may have parts of it as well, for which they share a variable then.
 void BitBlaster::require_by_clause(NodeId condition) {
+  const bool is_new = is_open(condition);
+  const bool is_negation = graph_.node(condition).op == Op::kNot;
+  const NodeId whole = is_negation ? graph_.node(condition).operands[0] : condition;
+  const Graph::Node& node = graph_.node(whole);
   std::vector<Literal> literals;
-  add_alternatives(condition, literals);
+  if (is_new && is_open(whole) && node.op == (is_negation ? Op::kAnd : Op::kOr)) {
+    const auto [a, b, unused] = node.operands;
+    add_alternatives(a, !is_negation, literals);
+    add_alternatives(b, !is_negation, literals);
+    set_literal(condition, kTrueLiteral);
+  } else {
+    add_alternatives(condition, literals);
+  }
   cnf_.add_clause(literals);
-  if (is_open(condition)) set_literal(condition, kTrueLiteral);
 }
 
 /// Returns true if the condition is that two ints differ which both are written in order encoding, and not
@@ -226,28 +238,13 @@ void BitBlaster::require_different(NodeId equation) {
   cnf_.require_different(*order(a), *order(b));
 }
 
-/// Takes disjunctions apart while they are short: a longer one may meet the same part again and again, and
-/// `cnf_`, which takes gates apart, knows how often each is used.
-void BitBlaster::add_alternatives(NodeId condition, std::vector<Literal>& literals) {
-  constexpr std::size_t kMostParts = 16;
-  meet_new_nodes();
-  std::vector<std::pair<NodeId, bool>> pending{{condition, true}};
-  for (std::size_t parts = 1; !pending.empty();) {
-    const auto [at, holds] = pending.back();
-    pending.pop_back();
-    const Graph::Node& node = graph_.node(at);
-    const auto [a, b, unused] = node.operands;
-    if (node.op == Op::kNot && small_cones_.tabled(at).empty()) {
-      pending.emplace_back(a, !holds);
-    } else if (node.op == (holds ? Op::kOr : Op::kAnd) && parts < kMostParts && is_open(at)) {
-      ++parts;
-      pending.insert(pending.end(), {{b, holds}, {a, holds}});
-    } else if (!holds && is_choice_of_value(at)) {
-      add_other_values(graph_.node(a).payload, interval(b).lo, literals);
-    } else {
-      literals.push_back(this->condition(at) ^ !holds);
-    }
-  }
+void BitBlaster::add_alternatives(NodeId condition, bool holds, std::vector<Literal>& literals) {
+  const Graph::Node& node = graph_.node(condition);
+  if (node.op == Op::kNot && is_choice_of_value(node.operands[0]))
+    return add_alternatives(node.operands[0], !holds, literals);
+  if (!holds && is_choice_of_value(condition))
+    return add_other_values(graph_.node(node.operands[0]).payload, interval(node.operands[1]).lo, literals);
+  literals.push_back(this->condition(condition) ^ !holds);
 }
 
 bool BitBlaster::is_choice_of_value(NodeId condition) const {
@@ -437,10 +434,27 @@ Literal BitBlaster::has_value(NodeId node, std::size_t value) {
 
 Literal BitBlaster::equality(NodeId a, NodeId b) {
   if (const LinearForm* form = linear_form(a, b)) {
+    if (const auto digits = equal_digits(graph_, *form)) return all_equal(*digits);
     return circuit_.conjunction(linear_comparison(a, b, true, *form), !linear_comparison(a, b, false, *form));
   }
   if (comparable_in_order(a, b)) return equal(circuit_, order(a), order(b));
   return equal(circuit_, number(a), number(b));
+}
+
+Literal BitBlaster::all_equal(const std::vector<ShiftedEquality>& equalities) {
+  Literal all = kTrueLiteral;
+  for (const auto& [a, b, shift] : equalities) {
+    if (shift != 0) {
+      const auto moved = std::make_shared<OrderEncodedInt>(sum(circuit_, *order(b), constant_order(shift)));
+      all = circuit_.conjunction(all, equal(circuit_, order(a), moved));
+      continue;
+    }
+    const auto key = std::minmax(a.index, b.index);
+    const auto [entry, is_new] = equal_ints_.try_emplace(std::uint64_t{key.first} << 32 | key.second);
+    if (is_new) entry->second = equal(circuit_, order(a), order(b));
+    all = circuit_.conjunction(all, entry->second);
+  }
+  return all;
 }
 
 Literal BitBlaster::comparison(NodeId a, NodeId b, bool or_equal) {

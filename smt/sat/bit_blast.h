@@ -11,6 +11,7 @@
 #include "smt/sat/circuit.h"
 #include "smt/sat/cnf.h"
 #include "smt/sat/int_bits.h"
+#include "smt/sat/digits.h"
 #include "smt/sat/linear_form.h"
 #include "smt/sat/order_encoded_int.h"
 #include "smt/sat/order_size.h"
@@ -39,11 +40,12 @@ class BitBlaster {
   /// becomes an order difference without gates: where many ints have to differ, each two of them do. What is
   /// required is a constant for conditions that come later. Throws UnsupportedOperation.
   void require(NodeId condition);
-  /// Appends literals to `literals`, one of which holds where the condition does. A disjunction becomes those
-  /// of its parts, without a gate of its own if nobody has asked for it, and that a choice differs from a
-  /// value the choice's own literals, so that clauses that keep thousands of solutions from coming again need
-  /// no further variables. Throws UnsupportedOperation.
-  void add_alternatives(NodeId condition, std::vector<Literal>& literals);
+  /// Appends literals to `literals`, one of which holds where the condition does. A condition that a choice
+  /// differs from a value becomes the choice's own literals, so that clauses that keep thousands of solutions
+  /// from coming again need no further variables. Throws UnsupportedOperation.
+  void add_alternatives(NodeId condition, std::vector<Literal>& literals) {
+    add_alternatives(condition, true, literals);
+  }
 
   /// The inputs of the choices that conditions have met so far.
   ChoiceEncoding& choices() { return choices_; }
@@ -90,10 +92,13 @@ class BitBlaster {
   bool is_difference_of_orders(NodeId condition);
   void require_different(NodeId equation);
   void require_by_clause(NodeId condition);
+  /// The same of a condition that holds, or that does not.
+  void add_alternatives(NodeId condition, bool holds, std::vector<Literal>& literals);
   /// Returns true if nobody has asked for the condition yet, and no table says when it holds.
   bool is_open(NodeId condition);
   bool is_choice_of_value(NodeId condition) const;
   Literal equality(NodeId a, NodeId b);
+  Literal all_equal(const std::vector<ShiftedEquality>& equalities);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
   Literal linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form);
 
@@ -124,6 +129,7 @@ class BitBlaster {
   std::uint32_t counted_ = 0;                                     // nodes whose comparisons are counted
   SmallCones small_cones_;
   std::unordered_map<std::uint64_t, std::optional<LinearForm>> linear_forms_;  // by the nodes compared
+  std::unordered_map<std::uint64_t, Literal> equal_ints_;  // by two nodes: that these digits are equal
 };
 
 }  // namespace solitaire
