@@ -164,8 +164,15 @@ std::optional<solitaire::Solution> Search::State::find() {
     if (observer_ != nullptr) observer_->explored(exploring->graph_size());
   }
   std::optional<solitaire::Solution> found = stream_->next();
-  if (deadline_) stop_.set_deadline(Clock::time_point::max());
+  if (deadline_) end_clock(found.has_value());
   return found;
+}
+
+/// A solution that was found has its time behind it, even if that was over when it came: the time of a next
+/// one begins anew.
+void Search::State::end_clock(bool found) {
+  if (!found) return stop_.set_deadline(Clock::time_point::max());
+  StopAccess::replace_deadline(stop_, Clock::time_point::max(), solitaire::StopReason::kTimePerSolution);
 }
 
 void Search::State::improved(const solitaire::Solution& solution) {
@@ -173,7 +180,7 @@ void Search::State::improved(const solitaire::Solution& solution) {
   if (observer_ != nullptr) observer_->improved(best);
   account_.set_best(std::move(best), solution);
   if (!deadline_ || std::exchange(extended_, true)) return;
-  stop_.set_deadline(*deadline_ + kTimeToEnd, StopReason::kTimePerSolution);
+  StopAccess::replace_deadline(stop_, *deadline_ + kTimeToEnd, solitaire::StopReason::kTimePerSolution);
 }
 
 /// Executions that break asserts may come to errors from which the asserts protect the program. So it is

@@ -55,6 +55,7 @@ class Search::State {
  private:
   const SourceSet& sources() const { return program_.state().program.sources; }
   void start_clock();
+  void end_clock(bool found);
   void begin();
   std::uint64_t alike() const;
   bool names_differed() const;

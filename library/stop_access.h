@@ -17,6 +17,12 @@ struct StopToken::State {
 struct StopAccess {
   /// Returns what engines look at; null for a token that never asks to stop. It lives as long as the token.
   static const StopSignal* signal(const StopToken& token);
+  /// Sets a time as StopSource::set_deadline() does, but in place of one that may have come already: what it
+  /// was for has ended meanwhile, and not for that.
+  static void replace_deadline(const StopSource& source, StopSignal::Clock::time_point time,
+                               solitaire::StopReason reason) {
+    source.state_->signal.set_deadline(time, reason);
+  }
 };
 
 }  // namespace solitaire::api

@@ -7,7 +7,7 @@ namespace solitaire {
 void VmtfQueue::move_to_front(std::span<const int> variables) {
   if (variables.empty()) return;
   const auto last = static_cast<std::size_t>(*std::ranges::max_element(variables));
-  links_.resize(last + 1);
+  if (links_.size() <= last) links_.resize(last + 1);
   moving_.clear();
   for (const int variable : variables) moving_.push_back({link(variable).moved, moving_.size(), variable});
   std::ranges::sort(moving_);

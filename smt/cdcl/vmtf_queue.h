@@ -5,8 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "smt/sat/sparse_table.h"
-
 namespace solitaire {
 
 /// Keeps variables in the order in which they had a part in conflicts, the latest first (variable move to
@@ -26,8 +24,7 @@ class VmtfQueue {
   void open(int variable) {
     const auto at = static_cast<std::size_t>(variable);
     if (at >= links_.size()) return;
-    const Link* const met = links_.find(at);
-    if (met != nullptr && met->moved > (next_ == 0 ? 0 : link(next_).moved)) next_ = variable;
+    if (links_[at].moved > (next_ == 0 ? 0 : link(next_).moved)) next_ = variable;
   }
   /// Forgets everything.
   void clear();
@@ -52,7 +49,7 @@ class VmtfQueue {
   void take_out(int variable);
   void put_first(int variable);
 
-  SparseTable<Link> links_;  // by variable
+  std::vector<Link> links_;  // by variable
   int front_ = 0;
   int next_ = 0;  // the variables ahead of this one are not open
   std::uint64_t moves_ = 0;

@@ -141,6 +141,7 @@ std::string Expressions::boolean(int depth) {
           {draft_.libraries.contains("schedule") ? 2U : 0U, [&] { return turns(depth); }},
           {draft_.libraries.contains("grid") ? 2U : 0U, [&] { return pattern(depth); }},
           {1, [&] { return boxes(depth); }},
+          {1, [&] { return codes(); }},
           {1, [&] { return format("null({})", list(d)); }},
           {1,
            [&] {
@@ -161,6 +162,14 @@ std::string Expressions::boolean(int depth) {
                                                   expression(draft_.any_kind(), d));
            }},
       });
+}
+
+std::string Expressions::codes() {
+  const int width = draft_.number(2, 4);  // the digits are mostly from 0 to 2
+  const auto drawn = [&] { return choice("range(0, 2)"); };
+  const auto digit = [&] { return draft_.one_in(2) ? drawn() : draft_.variable_or(Kind::kInt, drawn); };
+  const auto code = [&] { return format("({} * {} + {})", digit(), width, digit()); };
+  return format("({} {} {})", code(), draft_.any_of<std::string>({"==", "!=", "<"}), code());
 }
 
 std::string Expressions::comparison_of_texts(int depth) {

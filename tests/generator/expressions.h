@@ -57,6 +57,8 @@ class Expressions {
   /// Whether a small grid looks like something.
   std::string pattern(int depth);
   std::string boxes(int depth);
+  /// A comparison of two numbers that are made of two each, as y * w + x is for the square at x and y.
+  std::string codes();
   /// Whether bools that follow each other are as a schedule has them.
   std::string turns(int depth);
   std::string list_of(Kind kind, int depth, int count);
