@@ -91,8 +91,8 @@ struct Spread {
   unsigned random_signs;  // variables that stand for no choice, of which CaDiCaL tries a random sign first
   /// CaDiCaL begins anew where the distance of its model from one of its last is a smaller share of their
   /// mean distance from each other; see "Random values" in docs/engine.md. Models that it comes back to are
-  /// nearly the same: of tile maps, the nearest two are as far apart with 12 as with 33. In tight rooms of two
-  /// groups, models are nearer than others anyway, and 101 took 29 to 74 % longer with 33.
+  /// nearly the same: of tile maps, the nearest two are as far apart with 12 as with 33. In tight rooms of
+  /// two groups, models are nearer than others anyway, and 101 took 29 to 74 % longer with 33.
   unsigned near_models;
 };
 /// 100 solutions of platforms-6 have a mean distance of 0.77 in 61 ms if no search forgets, 0.80 in 68 ms if

@@ -85,7 +85,7 @@ Value Walk::membership(const BinaryExpr& node) {
 
 Value Walk::logical(const LogicalExpr& node) {
   const Value left = settle(tested(*node.left));
-  if (const Value* right = bool_at_hand(*node.right); right != nullptr && !left.is<bool>()) {
+  if (const Value* right = left.is<bool>() ? nullptr : bool_at_hand(*node.right)) {
     check_condition(node_of(*graph_, left), node.left->span);
     return node.is_and ? both(left, *right) : either(left, *right);
   }
