@@ -83,14 +83,30 @@ void PathIntervals::derive(NodeId made) {
   if (narrower) narrow(made, bounds(intervals.data()));
 }
 
+/// Conditions share their parts, so each is looked at once, however many ways lead to it.
 void PathIntervals::assume(NodeId condition, bool holds) {
-  const Graph::Node& node = graph_->node(condition);
-  if (node.op == Op::kNot) return assume(node.operands[0], !holds);
-  if ((node.op == Op::kAnd && holds) || (node.op == Op::kOr && !holds)) {
-    assume(node.operands[0], holds);
-    assume(node.operands[1], holds);
-    return;
+  seen_.resize(2 * graph_->size());
+  std::vector<std::pair<NodeId, bool>> pending{{condition, holds}};
+  while (!pending.empty()) {
+    const auto [at, at_holds] = pending.back();
+    pending.pop_back();
+    const Graph::Node& node = graph_->node(at);
+    const bool is_conjunction = node.op == (at_holds ? Op::kAnd : Op::kOr);
+    if (node.op == Op::kNot) {
+      pending.emplace_back(node.operands[0], !at_holds);
+    } else if (!is_conjunction) {
+      assume_single(at, at_holds);
+    } else if (const std::size_t number = 2 * std::size_t{at.index} + (at_holds ? 1 : 0); !seen_[number]) {
+      seen_[number] = true;
+      marked_.push_back(number);
+      pending.insert(pending.end(), {{node.operands[1], at_holds}, {node.operands[0], at_holds}});
+    }
   }
+  for (const std::size_t number : marked_) seen_[number] = false;
+  marked_.clear();
+}
+
+void PathIntervals::assume_single(NodeId condition, bool holds) {
   const auto compared = comparison(condition);
   if (!compared) return;
   if (compared->op == Op::kEqInt && !holds) {  // only tells something at an end of the interval

@@ -52,11 +52,16 @@ class PathIntervals {
   Interval interval(NodeId node) const;
   std::size_t last_fact(NodeId node) const;
   void narrow(NodeId node, Interval interval);
+  /// The same of a condition that is no conjunction.
+  void assume_single(NodeId condition, bool holds);
 
   const Graph* graph_;  // null where no condition is ever assumed
   std::vector<Fact> known_;
   std::unordered_map<NodeId, std::size_t> last_;  // the number of each node's last fact
   std::size_t first_ = 0;
+  // The parts that assume() has seen, by 2 * node + holds, and which these are. Empty between calls.
+  std::vector<bool> seen_;
+  std::vector<std::size_t> marked_;
 };
 
 }  // namespace solitaire

@@ -122,5 +122,25 @@ TEST_CASE(
   CHECK_FALSE(facts.decide(is_three));
 }
 
+TEST_CASE("path intervals: a conjunction that shares its parts takes no longer than its nodes") {
+  AddressTable addresses;
+  Graph graph;
+  std::uint64_t number = 0;
+  const auto flip = [&] {
+    const AddressId address = addresses.site(addresses.root(), std::to_string(number++));
+    const NodeId drawn = graph.choice({address, Distribution::range(0, 1)});
+    return graph.apply(Op::kEqInt, {drawn, graph.constant(std::int64_t{1})});
+  };
+  const NodeId x = graph.choice({addresses.site(addresses.root(), "x"), Distribution::range(0, 9)});
+  NodeId all = graph.apply(Op::kLtInt, {x, graph.constant(std::int64_t{3})});
+  for (int level = 0; level < 100; ++level)  // 2^100 ways lead down
+    all = graph.conjunction(graph.conjunction(all, flip()), graph.conjunction(all, flip()));
+  PathIntervals facts(&graph);
+  facts.assume(all, true);
+  CHECK(facts.decide(graph.apply(Op::kLtInt, {x, graph.constant(std::int64_t{3})})) == true);
+  facts.assume(graph.negation(graph.apply(Op::kLtInt, {x, graph.constant(std::int64_t{2})})), true);
+  CHECK(facts.decide(graph.apply(Op::kEqInt, {x, graph.constant(std::int64_t{2})})) == true);
+}
+
 }  // namespace
 }  // namespace solitaire
