@@ -85,7 +85,7 @@ void PathIntervals::derive(NodeId made) {
 
 /// Conditions share their parts, so each is looked at once, however many ways lead to it.
 void PathIntervals::assume(NodeId condition, bool holds) {
-  seen_.resize(2 * graph_->size());
+  seen_.cover(*graph_);
   std::vector<std::pair<NodeId, bool>> pending{{condition, holds}};
   while (!pending.empty()) {
     const auto [at, at_holds] = pending.back();
@@ -96,14 +96,11 @@ void PathIntervals::assume(NodeId condition, bool holds) {
       pending.emplace_back(node.operands[0], !at_holds);
     } else if (!is_conjunction) {
       assume_single(at, at_holds);
-    } else if (const std::size_t number = 2 * std::size_t{at.index} + (at_holds ? 1 : 0); !seen_[number]) {
-      seen_[number] = true;
-      marked_.push_back(number);
+    } else if (seen_.meet(at, at_holds)) {
       pending.insert(pending.end(), {{node.operands[1], at_holds}, {node.operands[0], at_holds}});
     }
   }
-  for (const std::size_t number : marked_) seen_[number] = false;
-  marked_.clear();
+  seen_.clear();
 }
 
 void PathIntervals::assume_single(NodeId condition, bool holds) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracegraph/graph.h"
+#include "tracegraph/seen_parts.h"
 
 namespace solitaire {
 
@@ -59,9 +60,7 @@ class PathIntervals {
   std::vector<Fact> known_;
   std::unordered_map<NodeId, std::size_t> last_;  // the number of each node's last fact
   std::size_t first_ = 0;
-  // The parts that assume() has seen, by 2 * node + holds, and which these are. Empty between calls.
-  std::vector<bool> seen_;
-  std::vector<std::size_t> marked_;
+  SeenParts seen_;  // by assume(); empty between calls
 };
 
 }  // namespace solitaire

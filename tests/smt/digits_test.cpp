@@ -14,7 +14,7 @@
 namespace solitaire {
 namespace {
 
-/// A sum of multiples of ints, and whether it falls apart into digits.
+/// A sum of multiples of random ints, and a constant.
 class Code {
  public:
   /// `terms` random ints with factors from `factors`.
@@ -24,11 +24,11 @@ class Code {
     };
     for (std::size_t i = 0; i < terms; ++i) {
       const std::int64_t lo = from_to(-2, 2);
-      ints_.push_back(graph.choice({addresses.site(addresses.root(), std::to_string(i)),
-                                    Distribution::range(lo, from_to(lo, lo + 4))}));
+      const AddressId address = addresses.site(addresses.root(), std::to_string(i));
+      const NodeId drawn = graph.choice({address, Distribution::range(lo, from_to(lo, lo + 4))});
       const std::int64_t factor = factors[i % factors.size()];
-      if (!graph.node(ints_.back()).is_constant())
-        form.terms.emplace_back(ints_.back(), i < factors.size() ? factor : -factor);
+      if (!graph.node(drawn).is_constant())
+        form.terms.emplace_back(drawn, i < factors.size() ? factor : -factor);
     }
     form.constant = from_to(-2, 2) * factors.back() + from_to(-2, 2);
   }
@@ -64,9 +64,6 @@ class Code {
   AddressTable addresses;
   Graph graph;
   LinearForm form;
-
- private:
-  std::vector<NodeId> ints_;
 };
 
 }  // namespace

@@ -31,3 +31,15 @@ fun places(piece, w, h) {
           for form in forms(piece) for y in 0..h - 1 for x in 0..w - 1
           if max([y + c[0] for c in form]) < h and max([x + c[1] for c in form]) < w];
 }
+// Covers a box: each place of a piece is used or not, and of the places of a piece, and of those that cover a cell,
+// exactly one is used, as one(xs) says it.
+fun cover(w, h, one) {
+  covers = [[] for i in 1..w * h];
+  for piece in pentominoes {
+    ps = places(piece, w, h);
+    used = [flip() for p in ps];
+    assert(one(used));
+    for i in 0..length(ps) - 1 { for c in ps[i]: covers[c] = covers[c] + [used[i]]; }
+  }
+  for c in covers: assert(one(c));
+}

@@ -2,13 +2,5 @@
 // covered once. That only one of several is so is said of each two of them.
 import "pentomino_forms.sol";
 param h = 6;
-w = 60 / h;
 fun one(xs) { return all(any(xs), all([not (a and b) for a, b in pairs(xs)])); }
-covers = [[] for i in 1..60];
-for piece in pentominoes {
-  ps = places(piece, w, h);
-  used = [flip() for p in ps];
-  assert(one(used));
-  for i in 0..length(ps) - 1 { for c in ps[i]: covers[c] = covers[c] + [used[i]]; }
-}
-for c in covers: assert(one(c));
+cover(60 / h, h, one);

@@ -1,5 +1,7 @@
 #include "engines/solve/conclusions/separations.h"
 
+#include "tracegraph/seen_parts.h"
+
 namespace solitaire {
 namespace {
 
@@ -176,13 +178,9 @@ Separations find_separations(const Graph& graph, const std::vector<NodeId>& cond
 void add_separations(const Graph& graph, const std::vector<NodeId>& conditions, Separations& found) {
   const ConditionReader reader(graph);
   BoundsReader bounds(graph, found.bounds);
-  std::vector<bool> seen(2 * graph.size());
-  const auto is_new = [&](SignedNode part) {
-    const std::size_t number = 2 * std::size_t{part.node.index} + (part.holds ? 1 : 0);
-    if (seen[number]) return false;
-    seen[number] = true;
-    return true;
-  };
+  SeenParts seen;
+  seen.cover(graph);
+  const auto is_new = [&](SignedNode part) { return seen.meet(part.node, part.holds); };
   for (const NodeId condition : conditions) {
     reader.for_each_part(Op::kAnd, {condition}, is_new, [&](SignedNode part) {
       if (const auto before = reader.before(part)) {
