@@ -1,8 +1,13 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "base/random.h"
 #include "base/stop_signal.h"
-#include "engines/count/nested/cluster_network.h"
-#include "engines/count/nested/tuning.h"
+#include "engines/count/nested/nested_bounds.h"
 
 namespace solitaire {
 
@@ -34,48 +39,27 @@ class NestedSampler {
   double bound() const { return places_.front().total; }
   /// About how many solutions there are: a guess.
   double guessed_solutions() const { return bound() * success_; }
-  const Clusters& clusters() const { return network_.clusters(); }
+  const Clusters& clusters() const { return bounds_.clusters(); }
 
  private:
-  /// A case of the cluster that is chosen next, with the bound on what is below.
-  struct Case {
-    std::uint32_t number;
-    std::uint32_t place;  // in places_, or 0 if it was not kept
-    double bound;
-  };
-  /// Where so many clusters are chosen.
-  struct Place {
-    std::vector<Case> cases;
-    double total = 0;
-  };
-  /// What is chosen, and what is left of the clusters that are not.
-  struct State {
-    std::vector<ShrinkingSet> left;
-    std::vector<std::size_t> sizes;
-    Cases chosen;
-    std::vector<bool> is_chosen;
+  /// Which case was taken at a place that is kept.
+  struct Step {
+    std::uint32_t place;
+    std::size_t at;
   };
 
-  explicit NestedSampler(ClusterNetwork network);
+  NestedSampler(NestedBounds bounds, std::vector<std::size_t> order, Place first)
+      : bounds_(std::move(bounds)), order_(std::move(order)), places_{std::move(first)} {}
 
-  bool find_order(RandomStream& random, const StopSignal& stop);
   bool prepare(RandomStream& random, const StopSignal& stop);
-  double estimated_total(const State& state, std::size_t cluster);
-  Place place(const State& state, std::size_t cluster, const StopSignal& stop);
-  double bound_of(const State& state, std::size_t cluster, std::uint32_t number);
-  void choose(State& state, std::size_t cluster, std::uint32_t number);
   std::optional<Cases> attempt(RandomStream& random, const StopSignal& stop, bool keep);
-  void tighten(const std::vector<std::pair<std::uint32_t, std::size_t>>& path, double total);
-  static std::size_t picked(const Place& place, RandomStream& random);
-  std::uint64_t work() const { return work_ + network_.work(); }
+  void keep(const Place& place, const std::vector<Step>& path);
+  void tighten(const std::vector<Step>& path, double total);
 
-  ClusterNetwork network_;
+  NestedBounds bounds_;
   std::vector<std::size_t> order_;
-  State start_;
   std::vector<Place> places_;  // the first is where nothing is chosen
   std::size_t cases_kept_ = 0;
-  std::uint64_t work_ = 0;                                  // in words of sets
-  std::uint64_t most_work_ = tuning::kMostWorkInPreparing;  // of this and the network
   double success_ = 0;  // the part of attempts that succeeded when all was prepared
 };
 
