@@ -2,7 +2,7 @@
 #include <array>
 #include <cstddef>
 
-#include "tracegraph/op.h"
+#include "tracegraph/graph.h"
 
 namespace solitaire {
 
@@ -33,6 +33,11 @@ constexpr bool cover_all_operations(const Row (&rows)[Count]) {
     if (count > 1 || (!is_leaf && (count == 1) != has_bits(op))) return false;
   }
   return true;
+}
+
+/// Returns what the function of a row gets of a node: its operands or, of a leaf, itself.
+inline const NodeId* operands_or_itself(const Graph::Node& node, const NodeId& id) {
+  return operation(node.op).arity == 0 ? &id : node.operands.data();
 }
 
 }  // namespace solitaire

@@ -7,11 +7,9 @@
 #include <utility>
 
 #include "smt/operation_rows.h"
-#include "smt/sat/cardinality.h"
 #include "smt/sat/constrained_sum.h"
+#include "smt/sat/linear_comparison.h"
 #include "smt/sat/truth_table.h"
-#include "smt/sat/unary_sum.h"
-#include "smt/sat/wide_choices.h"
 #include "smt/tuning.h"
 #include "smt/unsupported_operation.h"
 #include "tracegraph/post_order.h"
@@ -21,7 +19,6 @@ namespace solitaire {
 using BoolBlast = Literal (*)(BitBlaster&, const NodeId* operands);
 using BitBlast = Bits (*)(BitBlaster&, std::size_t width, const NodeId* operands);
 using OrderBlast = OrderEncodedInt (*)(BitBlaster&, const NodeId* operands);
-using OrderSizing = OrderSize (*)(const BitBlaster&, Interval result, const NodeId* operands);
 
 /// What the bit-blaster knows about an operation. The functions get the operands; those of a leaf get the
 /// leaf.
@@ -29,28 +26,23 @@ struct BitBlastRow {
   Op op;
   BoolBlast literal;           // makes the literal of a bool; an int has the members below
   BitBlast bits = nullptr;     // in binary
-  OrderBlast order = nullptr;  // in order encoding, or null if there is none
-  OrderSizing size = nullptr;  // how many values the order has
+  OrderBlast order = nullptr;  // in order encoding, for operations that OrderSizes knows a size of
 };
 
 struct BitBlasts {
   using B = BitBlaster&;
-  using C = const BitBlaster&;
   using N = const NodeId*;
   using W = std::size_t;
-  using I = Interval;
 
   // clang-format off
   static constexpr BitBlastRow kRows[] = {
       {Op::kConstBool, [](B b, N a) { return constant_literal(b.interval(*a).lo != 0); }},
       {Op::kConstInt, nullptr,
        [](B b, W w, N a) { return constant_bits(b.interval(*a).lo, w); },
-       [](B b, N a) { return constant_order(b.interval(*a).lo); },
-       [](C, I, N) { return OrderSize{1, 0}; }},
+       [](B b, N a) { return constant_order(b.interval(*a).lo); }},
       {Op::kChoice, nullptr,
        [](B b, W, N a) { return b.choices_.number(*a); },
-       [](B b, N a) { return b.choice_order(*a); },
-       [](C b, I, N a) { return b.choices_.order_size(b.graph_.node(*a).payload); }},
+       [](B b, N a) { return b.choice_order(*a); }},
 
       {Op::kNot, [](B b, N a) { return !b.literal(a[0]); }},
       {Op::kAnd, [](B b, N a) { return b.circuit_.conjunction(b.literal(a[0]), b.literal(a[1])); }},
@@ -60,45 +52,36 @@ struct BitBlasts {
 
       {Op::kAdd, nullptr,
        [](B b, W w, N a) { return add(b.circuit_, b.number(a[0]).sized(w), b.number(a[1]).sized(w)); },
-       [](B b, N a) { return b.sum_order(*b.order(a[0]), *b.order(a[1])); },
-       [](C b, I i, N a) { return sum_size(i, b.order_size(a[0]), b.order_size(a[1])); }},
+       [](B b, N a) { return b.sum_order(*b.order(a[0]), *b.order(a[1])); }},
       {Op::kSub, nullptr,
        [](B b, W w, N a) { return subtract(b.circuit_, b.number(a[0]).sized(w), b.number(a[1]).sized(w)); },
-       [](B b, N a) { return b.sum_order(*b.order(a[0]), negated(*b.order(a[1]))); },
-       [](C b, I i, N a) { return sum_size(i, b.order_size(a[0]), b.order_size(a[1])); }},
+       [](B b, N a) { return b.sum_order(*b.order(a[0]), negated(*b.order(a[1]))); }},
       {Op::kMul, nullptr,
        [](B b, W w, N a) { return product(b.circuit_, b.number(a[0]), b.number(a[1]), w); },
        [](B b, N a) {
          const bool first = b.interval(a[0]).single();
          return scaled(*b.order(a[first ? 1 : 0]), b.interval(a[first ? 0 : 1]).lo);
-       },
-       [](C b, I i, N a) { return product_size(i, b.sized(a[0]), b.sized(a[1])); }},
+       }},
       {Op::kDiv, nullptr,
        [](B b, W w, N a) { return quotient(b.circuit_, b.number(a[0]), b.number(a[1]), w); },
-       [](B b, N a) { return divided(*b.order(a[0]), b.interval(a[1]).lo); },
-       [](C b, I i, N a) { return quotient_size(i, b.sized(a[0]), b.sized(a[1])); }},
+       [](B b, N a) { return divided(*b.order(a[0]), b.interval(a[1]).lo); }},
       {Op::kMod, nullptr,
        [](B b, W w, N a) { return modulus(b.circuit_, b.number(a[0]), b.number(a[1]), w); }},
       {Op::kNeg, nullptr,
        [](B b, W w, N a) { return negate_if(b.circuit_, kTrueLiteral, b.number(a[0]).sized(w)); },
-       [](B b, N a) { return negated(*b.order(a[0])); },
-       [](C b, I i, N a) { return size_within(i, b.order_size(a[0]).most, b.order_size(a[0]).stride); }},
+       [](B b, N a) { return negated(*b.order(a[0])); }},
       {Op::kMin, nullptr,
        [](B b, W w, N a) { return extreme(b.circuit_, b.number(a[0]), b.number(a[1]), true, w); },
-       [](B b, N a) { return smaller(b.circuit_, *b.order(a[0]), *b.order(a[1])); },
-       [](C b, I i, N a) { return either_size(i, b.sized(a[0]), b.sized(a[1])); }},
+       [](B b, N a) { return smaller(b.circuit_, *b.order(a[0]), *b.order(a[1])); }},
       {Op::kMax, nullptr,
        [](B b, W w, N a) { return extreme(b.circuit_, b.number(a[0]), b.number(a[1]), false, w); },
-       [](B b, N a) { return larger(b.circuit_, *b.order(a[0]), *b.order(a[1])); },
-       [](C b, I i, N a) { return either_size(i, b.sized(a[0]), b.sized(a[1])); }},
+       [](B b, N a) { return larger(b.circuit_, *b.order(a[0]), *b.order(a[1])); }},
       {Op::kAbs, nullptr,
        [](B b, W w, N a) { return negate_if(b.circuit_, b.number(a[0]).bits.back(), b.number(a[0]).sized(w)); },
-       [](B b, N a) { return larger(b.circuit_, *b.order(a[0]), negated(*b.order(a[0]))); },
-       [](C b, I i, N a) { return size_within(i, 2 * b.order_size(a[0]).most, 1); }},
+       [](B b, N a) { return larger(b.circuit_, *b.order(a[0]), negated(*b.order(a[0]))); }},
       {Op::kIteInt, nullptr,
        [](B b, W w, N a) { return select(b.circuit_, b.literal(a[0]), b.number(a[1]).sized(w), b.number(a[2]).sized(w)); },
-       [](B b, N a) { return select(b.circuit_, b.literal(a[0]), *b.order(a[1]), *b.order(a[2])); },
-       [](C b, I i, N a) { return either_size(i, b.sized(a[1]), b.sized(a[2])); }},
+       [](B b, N a) { return select(b.circuit_, b.literal(a[0]), *b.order(a[1]), *b.order(a[2])); }},
 
       {Op::kEqInt, [](B b, N a) { return b.equality(a[0], a[1]); }},
       {Op::kLtInt, [](B b, N a) { return b.comparison(a[0], a[1], false); }},
@@ -115,54 +98,6 @@ namespace {
 constexpr std::array<BitBlastRow, kOpCount> kBitBlasts = by_operation(BitBlasts::kRows);
 
 const BitBlastRow& row_of(const Graph::Node& node) { return kBitBlasts[static_cast<std::size_t>(node.op)]; }
-
-/// The meaning of a comparison of sums: a linear bound, or the same in gates, which are made when they are
-/// needed.
-class LinearComparison : public Definition {
- public:
-  struct Term {
-    SharedOrder order;
-    std::int64_t factor;
-  };
-
-  LinearComparison(Circuit& circuit, std::vector<Term> terms, std::int64_t least,
-                   std::function<Literal()> in_gates)
-      : circuit_(circuit), terms_(std::move(terms)), least_(least), in_gates_(std::move(in_gates)) {}
-
-  void write(bool negated, const Emit& emit) const override {
-    const LinearBound bound = linear(negated);
-    const auto cardinality = as_cardinality(bound);
-    if (cardinality && write_cardinality(circuit_, *cardinality, emit)) return;
-    auto unary = has_narrow_terms() ? UnarySum::of(bound, {tuning::kMostUnaryPairs}) : std::nullopt;
-    const Literal literal = unary ? unary->at_least(circuit_, bound.least) : in_gates_() ^ negated;
-    circuit_.use(literal);
-    emit({&literal, 1});
-  }
-
-  bool is_linear() const override { return true; }
-
-  LinearBound linear(bool negated) const override {
-    LinearBound bound{{}, negated ? 1 - least_ : least_};
-    for (const auto& [order, factor] : terms_)
-      bound.terms.push_back({order.get(), negated ? -factor : factor});
-    return bound;
-  }
-
- private:
-  bool has_narrow_terms() const {
-    return std::ranges::all_of(
-        terms_, [](const Term& term) { return term.order->size() <= tuning::kMostInUnaryTerm; });
-  }
-
-  Circuit& circuit_;
-  std::vector<Term> terms_;
-  std::int64_t least_;
-  std::function<Literal()> in_gates_;
-};
-
-const NodeId* operands_or_itself(const Graph::Node& node, const NodeId& id) {
-  return operation(node.op).arity == 0 ? &id : node.operands.data();
-}
 
 }  // namespace
 
@@ -220,7 +155,7 @@ bool BitBlaster::is_difference_of_orders(NodeId condition) {
   if (negation.op != Op::kNot || is_compiled({negation.operands[0], Form::kBits})) return false;
   const Graph::Node& equation = graph_.node(negation.operands[0]);
   const auto [a, b, unused] = equation.operands;
-  return equation.op == Op::kEqInt && !graph_.node(b).is_constant() && comparable_in_order(a, b) &&
+  return equation.op == Op::kEqInt && !graph_.node(b).is_constant() && order_sizes_.are_ordered(a, b) &&
          linear_form(a, b) == nullptr;
 }
 
@@ -277,7 +212,8 @@ void BitBlaster::compile(Part part) {
 
 void BitBlaster::meet_new_nodes() {
   compiled_.resize(graph_.size());
-  find_order_sizes();
+  if (order_sizes_.meet_new_nodes())
+    small_cones_.meet_new([this](NodeId node) { return order_sizes_.of(node).is_ordered(); });
 }
 
 bool BitBlaster::is_compiled(Part part) const {
@@ -312,18 +248,15 @@ const LinearForm* BitBlaster::linear_form(NodeId a, NodeId b) {
   if (!may_have_form(graph_, a, b)) return nullptr;
   const auto [entry, is_new] = linear_forms_.try_emplace(std::uint64_t{a.index} << 32 | b.index);
   if (is_new)
-    entry->second = ordered_difference_form(graph_, a, b, [this](NodeId node) { return order_size(node); });
+    entry->second =
+        ordered_difference_form(graph_, a, b, [this](NodeId node) { return order_sizes_.of(node); });
   return entry->second ? &*entry->second : nullptr;
 }
 
 BitBlaster::Form BitBlaster::form_of_operands(Part part) const {
   const Graph::Node& node = graph_.node(part.node);
   if (node.type() != Type::kBool || node.args().empty()) return part.form;
-  return comparable_in_order(node.operands[0], node.operands[1]) ? Form::kOrder : Form::kBits;
-}
-
-bool BitBlaster::comparable_in_order(NodeId a, NodeId b) const {
-  return order_size(a).is_ordered() && order_size(b).is_ordered();
+  return order_sizes_.are_ordered(node.operands[0], node.operands[1]) ? Form::kOrder : Form::kBits;
 }
 
 void BitBlaster::compile_one(Part part) {
@@ -345,54 +278,6 @@ void BitBlaster::compile_one(Part part) {
   }
 }
 
-/// Finds the sizes of nodes that are new in the graph, and whether choices of many values have an order at
-/// all.
-void BitBlaster::find_order_sizes() {
-  const auto known = static_cast<std::uint32_t>(order_sizes_.size());
-  if (known == graph_.size()) return;
-  order_sizes_.resize(graph_.size());
-  count_comparisons();
-  find_order_sizes_from(known);
-  const std::vector<std::size_t> in_bits =
-      wide_choices_in_bits(graph_, known, [this](NodeId node) { return order_size(node); });
-  for (const std::size_t variable : in_bits) choices_.write_in_bits(variable);
-  if (!in_bits.empty()) find_order_sizes_from(known);
-  small_cones_.meet_new([this](NodeId node) { return order_size(node).is_ordered(); });
-}
-
-/// Operands are older than what uses them.
-void BitBlaster::find_order_sizes_from(std::uint32_t first) {
-  for (std::uint32_t i = first; i < graph_.size(); ++i) {
-    const Graph::Node& node = graph_.node({i});
-    if (node.type() != Type::kInt) continue;
-    const OrderSize size = size_in_order({i});
-    if (size.is_ordered() || order_size({i}).is_ordered()) order_sizes_[i] = size;
-  }
-}
-
-OrderSize BitBlaster::size_in_order(NodeId id) const {
-  const Graph::Node& node = graph_.node(id);
-  const OrderSizing sizing = row_of(node).size;
-  OrderSize size;
-  if (sizing != nullptr) size = sizing(*this, node.interval, operands_or_itself(node, id));
-  const auto comparisons = comparisons_.find(id.index);
-  if (size.is_ordered() || comparisons == comparisons_.end()) return size;
-  return compared_sum_size(node.interval, order_size(node.operands[0]), order_size(node.operands[1]),
-                           comparisons->second);
-}
-
-/// Counts the comparisons of each sum among the nodes that are new in the graph.
-void BitBlaster::count_comparisons() {
-  for (; counted_ < graph_.size(); ++counted_) {
-    const Graph::Node& node = graph_.node({counted_});
-    if (node.op != Op::kEqInt && node.op != Op::kLtInt && node.op != Op::kLeInt) continue;
-    for (const NodeId operand : node.args()) {
-      const Op op = graph_.node(operand).op;
-      if (op == Op::kAdd || op == Op::kSub) ++comparisons_[operand.index];
-    }
-  }
-}
-
 OrderEncodedInt BitBlaster::sum_order(const OrderEncodedInt& a, const OrderEncodedInt& b) {
   return a.size() * b.size() > tuning::kMostOrderedSum ? constrained_sum(circuit_, cnf_, a, b)
                                                        : sum(circuit_, a, b);
@@ -411,7 +296,7 @@ Literal BitBlaster::table(NodeId condition, std::span<const NodeId> choices) {
 }
 
 Literal BitBlaster::allowed(NodeId a, NodeId b, const PairTable& pairs) {
-  if (comparable_in_order(a, b))
+  if (order_sizes_.are_ordered(a, b))
     return tabled(circuit_, TruthTable(pairs, *order(a), *order(b)), order(a), order(b));
   Literal any = kFalseLiteral;
   for (std::size_t row = 0; row < pairs.rows(); ++row) {
@@ -435,9 +320,9 @@ Literal BitBlaster::has_value(NodeId node, std::size_t value) {
 Literal BitBlaster::equality(NodeId a, NodeId b) {
   if (const LinearForm* form = linear_form(a, b)) {
     if (const auto digits = equal_digits(graph_, *form)) return all_equal(*digits);
-    return circuit_.conjunction(linear_comparison(a, b, true, *form), !linear_comparison(a, b, false, *form));
+    return circuit_.conjunction(linear_less(a, b, true, *form), !linear_less(a, b, false, *form));
   }
-  if (comparable_in_order(a, b)) return equal(circuit_, order(a), order(b));
+  if (order_sizes_.are_ordered(a, b)) return equal(circuit_, order(a), order(b));
   return equal(circuit_, number(a), number(b));
 }
 
@@ -458,22 +343,20 @@ Literal BitBlaster::all_equal(const std::vector<ShiftedEquality>& equalities) {
 }
 
 Literal BitBlaster::comparison(NodeId a, NodeId b, bool or_equal) {
-  if (const LinearForm* form = linear_form(a, b)) return linear_comparison(a, b, or_equal, *form);
-  if (comparable_in_order(a, b)) return less(circuit_, order(a), order(b), or_equal);
+  if (const LinearForm* form = linear_form(a, b)) return linear_less(a, b, or_equal, *form);
+  if (order_sizes_.are_ordered(a, b)) return less(circuit_, order(a), order(b), or_equal);
   return less(circuit_, number(a), number(b), or_equal);
 }
 
-Literal BitBlaster::linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form) {
-  std::vector<LinearComparison::Term> terms;
+Literal BitBlaster::linear_less(NodeId a, NodeId b, bool or_equal, const LinearForm& form) {
+  std::vector<ScaledOrder> terms;
   for (const auto& [term, factor] : form.terms) terms.push_back({order(term), factor});
-  for (const auto& [order, factor] : terms) use(circuit_, *order);
-  const auto in_gates = [=, this] { return comparison_in_gates(a, b, or_equal); };
-  return circuit_.defined(std::make_unique<LinearComparison>(circuit_, std::move(terms),
-                                                             (or_equal ? 0 : 1) - form.constant, in_gates));
+  return linear_comparison(circuit_, std::move(terms), (or_equal ? 0 : 1) - form.constant,
+                           [=, this] { return comparison_in_gates(a, b, or_equal); });
 }
 
 Literal BitBlaster::comparison_in_gates(NodeId a, NodeId b, bool or_equal) {
-  const Form form = comparable_in_order(a, b) ? Form::kOrder : Form::kBits;
+  const Form form = order_sizes_.are_ordered(a, b) ? Form::kOrder : Form::kBits;
   compile({a, form});
   compile({b, form});
   if (form == Form::kOrder) return less(circuit_, order(a), order(b), or_equal);

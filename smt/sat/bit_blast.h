@@ -14,9 +14,8 @@
 #include "smt/sat/int_bits.h"
 #include "smt/sat/linear_form.h"
 #include "smt/sat/order_encoded_int.h"
-#include "smt/sat/order_size.h"
+#include "smt/sat/order_sizes.h"
 #include "smt/sat/small_cones.h"
-#include "smt/sat/sparse_table.h"
 #include "tracegraph/graph.h"
 
 namespace solitaire {
@@ -31,7 +30,12 @@ namespace solitaire {
 class BitBlaster {
  public:
   BitBlaster(const Graph& graph, Circuit& circuit, Cnf& cnf)
-      : graph_(graph), circuit_(circuit), cnf_(cnf), choices_(graph, circuit, cnf), small_cones_(graph) {}
+      : graph_(graph),
+        circuit_(circuit),
+        cnf_(cnf),
+        choices_(graph, circuit, cnf),
+        order_sizes_(graph, choices_),
+        small_cones_(graph) {}
 
   /// Returns the literal of a bool node. The bounds of choices that are met for the first time are added to
   /// the Cnf. Throws UnsupportedOperation.
@@ -76,14 +80,9 @@ class BitBlaster {
   void push_operands(Part part, std::vector<Part>& pending);
   void compile_one(Part part);
   Form form_of_operands(Part part) const;
-  bool comparable_in_order(NodeId a, NodeId b) const;
   const LinearForm* linear_form(NodeId a, NodeId b);
-  void find_order_sizes();
-  void find_order_sizes_from(std::uint32_t first);
-  OrderSize size_in_order(NodeId id) const;
   void add_other_values(std::size_t variable, std::int64_t value, std::vector<Literal>& literals);
   OrderEncodedInt choice_order(NodeId choice);
-  void count_comparisons();
   OrderEncodedInt sum_order(const OrderEncodedInt& a, const OrderEncodedInt& b);
 
   Literal table(NodeId condition, std::span<const NodeId> choices);
@@ -100,15 +99,10 @@ class BitBlaster {
   Literal equality(NodeId a, NodeId b);
   Literal all_equal(const std::vector<ShiftedEquality>& equalities);
   Literal comparison(NodeId a, NodeId b, bool or_equal);
-  Literal linear_comparison(NodeId a, NodeId b, bool or_equal, const LinearForm& form);
+  Literal linear_less(NodeId a, NodeId b, bool or_equal, const LinearForm& form);
 
   bool is_int(NodeId node) const { return graph_.node(node).type() == Type::kInt; }
   Interval interval(NodeId node) const { return graph_.node(node).interval; }
-  OrderSize order_size(NodeId node) const {
-    const OrderSize* size = order_sizes_.find(node.index);
-    return size != nullptr ? *size : OrderSize{};
-  }
-  Sized sized(NodeId node) const { return {order_size(node), interval(node)}; }
   void set_literal(NodeId node, Literal literal) { compiled_[node.index].bits = literal.code() + 1; }
   Literal literal(NodeId node) const {
     const std::uint32_t code = compiled_[node.index].bits - 1;
@@ -121,12 +115,10 @@ class BitBlaster {
   Circuit& circuit_;
   Cnf& cnf_;
   ChoiceEncoding choices_;
+  OrderSizes order_sizes_;
   std::vector<Compiled> compiled_;  // by node
   std::deque<Bits> numbers_;
   std::deque<SharedOrder> orders_;
-  SparseTable<OrderSize> order_sizes_;                            // by node; most are no ints
-  std::unordered_map<std::uint32_t, std::uint32_t> comparisons_;  // by sum: how many compare it
-  std::uint32_t counted_ = 0;                                     // nodes whose comparisons are counted
   SmallCones small_cones_;
   std::unordered_map<std::uint64_t, std::optional<LinearForm>> linear_forms_;  // by the nodes compared
   std::unordered_map<std::uint64_t, Literal> equal_ints_;  // by two nodes: that these digits are equal
