@@ -4,9 +4,9 @@ be switched on, runs them with one fault after the other, and expects them to fa
 
     tests/mutants/run.py ENGINE BUILD_FOLDER [--only TEXT] [CMAKE_OPTION...]
 
-ENGINE is `sampling` or `solving`, a file of this folder with a table of faults; TEXT stands in the names of those to try. The
-folder is made if it is not there, and kept for the next time; it serves both engines. Ends with status 1 if a mutant is not
-noticed.
+ENGINE is `sampling`, `solving` or `counting`, a file of this folder with a table of faults; TEXT stands in the names of
+those to try. The folder is made if it is not there, and kept for the next time; it serves all engines. Ends with status 1 if a
+mutant is not noticed.
 """
 import argparse
 import os
@@ -14,10 +14,11 @@ import pathlib
 import subprocess
 import sys
 
+import counting
 import sampling
 import solving
 
-ENGINES = {"sampling": sampling, "solving": solving}
+ENGINES = {"sampling": sampling, "solving": solving, "counting": counting}
 MUTANTS = [mutant for engine in ENGINES.values() for mutant in engine.MUTANTS]
 
 SWITCH = """#ifndef SOLITAIRE_FAULTY
