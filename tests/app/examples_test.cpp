@@ -34,7 +34,7 @@ void check_scenes(const std::vector<std::string>& scenes) {
 
 TEST_CASE(
     "examples: their scenes are valid glTF, without a warning, and assimp and three.js find in them what "
-    "they hold") {
+    "they hold (slow)") {
   const fs::path root = SOLITAIRE_SOURCE_DIR;
   const Workplace place;
   std::vector<std::string> scenes;

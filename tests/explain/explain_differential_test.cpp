@@ -77,9 +77,15 @@ void explain_many(std::uint64_t first_seed) {
 }
 
 // In parts, which run side by side.
-TEST_CASE("explain: generated programs are explained as brute force does, part 1") { explain_many(400'000); }
-TEST_CASE("explain: generated programs are explained as brute force does, part 2") { explain_many(500'000); }
-TEST_CASE("explain: generated programs are explained as brute force does, part 3") { explain_many(600'000); }
+TEST_CASE("explain: generated programs are explained as brute force does, part 1 (slow)") {
+  explain_many(400'000);
+}
+TEST_CASE("explain: generated programs are explained as brute force does, part 2 (slow)") {
+  explain_many(500'000);
+}
+TEST_CASE("explain: generated programs are explained as brute force does, part 3 (slow)") {
+  explain_many(600'000);
+}
 
 }  // namespace
 }  // namespace solitaire

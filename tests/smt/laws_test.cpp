@@ -804,7 +804,7 @@ std::string verdict_on(const std::string& smt2) {
   return verdict;
 }
 
-TEST_CASE("smtlib: what is written of every operation agrees with its fold") {
+TEST_CASE("smtlib: what is written of every operation agrees with its fold (slow)") {
   const Distribution whole{-kIntLimit, kIntLimit, kIntLimit, {}}, sign{-1, 1, 1, {}};
   const Distribution top{kIntLimit - 1, kIntLimit, 1, {}}, bottom{-kIntLimit, -kIntLimit + 1, 1, {}};
   std::vector<std::vector<Distribution>> cases = {{top, bottom}, {whole, sign}};

@@ -136,7 +136,7 @@ TEST_CASE("best: wishes on some paths, in loops and in functions cost only where
       false);
 }
 
-TEST_CASE("best: many weighted wishes, of which not all can be had, whatever explores and solves") {
+TEST_CASE("best: many weighted wishes, of which not all can be had, whatever explores and solves (slow)") {
   check_order(
       "a = [range(0, 2) for i in 0..4]; assert(a[0] != a[1] and a[2] != a[3] and sum(a) > 3);\n"
       "for i in 0..4 { prefer(a[i] == 0, i + 1); prefer(a[i] < 2, 3); } return a;",

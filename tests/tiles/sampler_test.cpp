@@ -98,7 +98,7 @@ TEST_CASE("all sides meet on a map that is periodic") {
   CHECK(find_faults(problem, made.map).empty());
 }
 
-TEST_CASE("fitted weights make tiles as frequent as in the exemplar") {
+TEST_CASE("fitted weights make tiles as frequent as in the exemplar (slow)") {
   const std::shared_ptr<Style> style = example("suburb"), plain = example("suburb");
   const std::vector<Size> shapes = default_shapes(*style);
   fit_weights(*style, shapes, 1, StopSignal());
@@ -114,7 +114,7 @@ TEST_CASE("fitted weights make tiles as frequent as in the exemplar") {
   }
 }
 
-TEST_CASE("a connected dungeon has the counts and the border that are asked for") {
+TEST_CASE("a connected dungeon has the counts and the border that are asked for (slow)") {
   Request request = read_request(SOLITAIRE_SOURCE_DIR "/examples/tiles/dungeon.tiles.json");
   const std::shared_ptr<Style> style = read_style(request);
   fit_weights(*style, default_shapes(*style), 1, StopSignal());
