@@ -4,7 +4,7 @@ import json
 import re
 import tempfile
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import solitaire
@@ -42,9 +42,7 @@ class Comparison:
 
     outcome: str
     reason: str = ""
-    solutions: int = 0
-    errors: int = 0
-    executions: int = 0
+    results: Results = field(default_factory=Results)  # the interpreter's, unless they were too many
 
 
 def shown_choices(execution):
@@ -77,7 +75,7 @@ class Comparer:
         self.errors = {(Path(error.place.file).name, error.place.line) for error in results.errors}
 
     def result(self, outcome, reason=""):
-        return Comparison(outcome, reason, len(self.results.solutions), len(self.errors), self.results.executions)
+        return Comparison(outcome, reason, self.results)
 
     def compare(self):
         if self.answer.fault:

@@ -28,8 +28,8 @@ class Tally:
     def add(self, seed, files):
         found = compare_files(self.solitaire, files)
         self.outcomes[found.outcome, "" if found.outcome == "different" else found.reason] += 1
-        self.with_solutions += found.solutions > 0
-        self.with_errors += found.errors > 0
+        self.with_solutions += bool(found.results.solutions)
+        self.with_errors += bool(found.results.errors)
         self.with_imports += len(files) > 1
         if found.outcome == "different":
             self.report(seed, files, found)

@@ -15,7 +15,7 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-from comparing import Limits, compare, reference_results, shown_choices
+from comparing import Limits, compare, shown_choices
 from deep_stack import run_with_deep_stack
 from interpreter.values import text
 from program_files import settings_in, write_files
@@ -91,7 +91,7 @@ def failures(solitaire, script, tally):
     if found.outcome == "different":
         yield found.reason
     if found.outcome == "equal":
-        yield from unmet_expectations(script, reference_results(script.path, settings, LIMITS))
+        yield from unmet_expectations(script, found.results)
 
 
 def main():

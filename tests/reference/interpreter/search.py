@@ -1,5 +1,6 @@
 """Finds all solutions of a program by running all of its executions, depth first."""
 
+import random
 from dataclasses import dataclass, field
 
 from .evaluator import Execution
@@ -44,11 +45,42 @@ class Enumeration:
         return False
 
 
+class Sampling:
+    """Makes each choice at random. The product of the numbers of values is the number of executions on the average (Knuth,
+    "Estimating the efficiency of backtrack programs", 1975)."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.product = 1
+
+    def choose(self, domain):
+        self.product *= len(domain)
+        return domain[self.random.randrange(len(domain))]
+
+
 MOST_STEPS_OF_ALL = 3_000_000
+SAMPLES = 4
+# By Markov's inequality, no more than one in so many programs is taken for too large that is not.
+SURE = 1000
 
 
 def all_executions(program, params=None, max_executions=2000, max_steps=200_000, max_depth=400, relaxed=False):
-    """Runs the program in all of its executions, in which asserts may be broken if it is relaxed. Raises TooMany where they are, or take, more than allowed."""
+    """Runs the program in all of its executions, in which asserts may be broken if it is relaxed. Raises TooMany where they
+    are, or take, more than allowed, and at once where that is all but certain."""
+
+    def run(choose):
+        execution = Execution(program, choose, params or {}, max_steps, max_depth, relaxed)
+        try:
+            execution.run()
+            return execution, None
+        except (Rejected, ProgramError) as end:
+            return execution, end
+
+    sampling = [Sampling(number) for number in range(SAMPLES)]
+    for sample in sampling:
+        run(sample.choose)
+    if sum(sample.product for sample in sampling) > SURE * SAMPLES * max_executions:
+        raise TooMany
     results = Results()
     steps = 0
     enumeration = Enumeration()
@@ -56,14 +88,11 @@ def all_executions(program, params=None, max_executions=2000, max_steps=200_000,
         results.executions += 1
         if results.executions > max_executions or steps > MOST_STEPS_OF_ALL:
             raise TooMany
-        execution = Execution(program, enumeration.choose, params or {}, max_steps, max_depth, relaxed)
-        try:
-            execution.run()
+        execution, end = run(enumeration.choose)
+        if end is None:
             results.solutions.append(execution)
-        except Rejected:
-            pass
-        except ProgramError as error:
-            results.errors.append(error)
+        elif isinstance(end, ProgramError):
+            results.errors.append(end)
         results.floats |= execution.floats
         steps += max_steps - execution.steps_left
         if not enumeration.advance():
