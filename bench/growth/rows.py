@@ -46,6 +46,7 @@ def rows():
         Row("apart_constant", (300, 1000, 3000, 10000)),
         Row("apart_chosen", (50, 100, 200, 400, 1000), params=ROOM),
         Row("appends", (25, 50, 100, 200, 400)),
+        Row("filtered", (25, 50, 100, 200, 400)),
         Row("letters", (3, 10, 30, 100)),
         Row("chain", (10000, 20000, 40000, 100000)),
         Row("distinct", (100, 200, 300, 600, 1000)),

@@ -253,14 +253,21 @@ Value contains(Evaluator& evaluator, Call call) {
   });
 }
 
+/// A packed list has the first of two elements where it has the second.
 Value distinct(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "distinct", argument_span(call, 0), [&](Items items) {
-    evaluator.step(call.site.span, items.size() * items.size() / 2);
+  const Span span = call.site.span;
+  return evaluator.with_list(call.arguments[0], "distinct", argument_span(call, 0), [&](const Value& given) {
+    const Value list = evaluator.in_place(given);
+    const Elements items(list);
+    evaluator.step(span, items.size() * items.size() / 2);
     Value differ = true;
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        differ =
-            evaluator.both(differ, evaluator.invert(evaluator.equal(items[i], items[j], call.site.span)));
+        const Value has = evaluator.has_element(items, j);
+        const auto apart = [&] {
+          return evaluator.invert(evaluator.equal(items.value(i), items.value(j), span));
+        };
+        differ = evaluator.both(differ, has.is<bool>() ? apart() : evaluator.where(has, span, apart, true));
       }
     }
     return differ;
@@ -284,14 +291,21 @@ Value pairs(Evaluator& evaluator, Call call) {
   });
 }
 
+/// Of two lists that are packed.
+Value zipped(Evaluator& evaluator, const Value& first, const Value& second, Span span) {
+  const Elements a(first), b(second);
+  std::vector<GuardedElement> made;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const NodeId both = first.is<List>() ? b.guard(i) : evaluator.graph().conjunction(a.guard(i), b.guard(i));
+    made.push_back({both, evaluator.make_list({a.value(i), b.value(i)}, span)});
+  }
+  return Value::chosen_list(std::move(made), true);
+}
+
 Value zip(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "zip", argument_span(call, 0), [&](Items a) {
-    return evaluator.with_items(call.arguments[1], "zip", argument_span(call, 1), [&](Items b) {
-      std::vector<Value> made;
-      for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-        made.push_back(evaluator.make_list({a[i], b[i]}, call.site.span));
-      }
-      return evaluator.make_list(std::move(made), call.site.span);
+  return evaluator.with_list(call.arguments[0], "zip", argument_span(call, 0), [&](const Value& a) {
+    return evaluator.with_list(call.arguments[1], "zip", argument_span(call, 1), [&](const Value& b) {
+      return zipped(evaluator, evaluator.in_place(a), evaluator.in_place(b), call.site.span);
     });
   });
 }
@@ -332,8 +346,7 @@ Value without_first(Evaluator& evaluator, const Value& list, Span span) {
 Value cdr(Evaluator& evaluator, Call call) {
   return evaluator.with_list(call.arguments[0], "cdr", argument_span(call, 0), [&](const Value& list) {
     evaluator.element(list, std::int64_t{0}, call.site.span);  // it has one
-    const Value items = list.is<ChosenList>() ? packed(evaluator.graph(), list) : list;
-    return without_first(evaluator, items, call.site.span);
+    return without_first(evaluator, evaluator.in_place(list), call.site.span);
   });
 }
 

@@ -25,19 +25,60 @@ Value count_in(Evaluator& evaluator, const Value& list, const Value& wanted, Spa
   return total;
 }
 
-/// For each item, whether it equals the value, as a bool.
-std::vector<Value> equalities(Evaluator& evaluator, Items items, const Value& value, Span span) {
-  std::vector<Value> equal;
-  equal.reserve(items.size());
-  for (const Value& item : items) equal.push_back(evaluator.equal(item, value, span));
-  return equal;
+/// f() where the list has the element of that number, else `otherwise`.
+template <class Function>
+Value where_there(Evaluator& evaluator, const Elements& items, std::size_t number, Span span, Function f,
+                  const Value& otherwise) {
+  const Value has = evaluator.has_element(items, number);
+  return has.is<bool>() ? f() : evaluator.where(has, span, f, otherwise);
 }
 
-Value required_element(Evaluator& evaluator, Call call, const char* name, bool last) {
-  return evaluator.with_items(call.arguments[0], name, call.site.span, [&](Items items) {
-    if (items.empty()) evaluator.reject(ConstraintKind::kIndex, call.site.span);
-    return last ? items.back() : items.front();
+/// Requires that the list has an element.
+void require_element(Evaluator& evaluator, const Elements& items, ConstraintKind kind, Span span) {
+  if (items.size() == 0) evaluator.reject(kind, span);
+  Value any = evaluator.has_element(items, 0);
+  for (std::size_t i = 1; i < items.size() && !any.is<bool>(); ++i)
+    any = evaluator.either(any, evaluator.has_element(items, i));
+  evaluator.require(any, kind, span);
+}
+
+Value first_of(Evaluator& evaluator, const Elements& items, Span span) {
+  std::size_t first = 0;  // behind those that may be missing, if any is always there
+  while (first + 1 < items.size() && items.guard(first) != kTrue) ++first;
+  Value found = items.value(first);
+  for (std::size_t i = first; i-- > 0;)
+    found = evaluator.select(evaluator.has_element(items, i), items.value(i), found, span);
+  return found;
+}
+
+Value last_of(Evaluator& evaluator, const Elements& items, Span span) {
+  std::size_t last = items.size() - 1;
+  while (last > 0 && items.guard(last) != kTrue) --last;
+  Value found = items.value(last);
+  for (std::size_t i = last + 1; i < items.size(); ++i)
+    found = evaluator.select(evaluator.has_element(items, i), items.value(i), found, span);
+  return found;
+}
+
+/// `end` gives one of the elements of a list that is not empty.
+template <class End>
+Value required_element(Evaluator& evaluator, Call call, const char* name, End end) {
+  return evaluator.with_list(call.arguments[0], name, call.site.span, [&](const Value& list) {
+    const Elements items(list);
+    require_element(evaluator, items, ConstraintKind::kIndex, call.site.span);
+    return end(evaluator, items, call.site.span);
   });
+}
+
+/// For each element of a list, whether it is there and equals the value, as a bool.
+std::vector<Value> equalities(Evaluator& evaluator, const Elements& items, const Value& value, Span span) {
+  std::vector<Value> equal;
+  equal.reserve(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto is_equal = [&] { return evaluator.equal(items.value(i), value, span); };
+    equal.push_back(where_there(evaluator, items, i, span, is_equal, false));
+  }
+  return equal;
 }
 
 /// What a function makes of each item.
@@ -58,35 +99,40 @@ Value count_equal(Evaluator& evaluator, Call call) {
 
 Value index_of(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
-  return evaluator.with_items(call.arguments[0], "index_of", span, [&](Items items) -> Value {
-    const std::vector<Value> equal = equalities(evaluator, items, call.arguments[1], span);
+  return evaluator.with_list(call.arguments[0], "index_of", span, [&](const Value& given_list) -> Value {
+    const Value list = evaluator.in_place(given_list);
+    const std::vector<Value> equal = equalities(evaluator, Elements(list), call.arguments[1], span);
     Value found = false;
     for (const Value& one : equal) found = evaluator.either(found, one);
     if (const bool* known = found.plain<bool>(); known != nullptr && !*known)
       evaluator.reject(ConstraintKind::kIndex, span);
     evaluator.require(found, ConstraintKind::kIndex, span);
-    Value index = static_cast<std::int64_t>(items.size()) - 1;
-    for (std::size_t i = items.size() - 1; i-- > 0;)
+    Value index = static_cast<std::int64_t>(equal.size()) - 1;
+    for (std::size_t i = equal.size() - 1; i-- > 0;)
       index = evaluator.select(equal[i], static_cast<std::int64_t>(i), index, span);
     return index;
   });
 }
 
 Value first_element(Evaluator& evaluator, Call call) {
-  return required_element(evaluator, call, "first", false);
+  return required_element(evaluator, call, "first", first_of);
 }
 
 Value last_element(Evaluator& evaluator, Call call) {
-  return required_element(evaluator, call, "last", true);
+  return required_element(evaluator, call, "last", last_of);
 }
 
 Value enumerate(Evaluator& evaluator, Call call) {
-  return evaluator.with_items(call.arguments[0], "enumerate", call.site.span, [&](Items items) {
-    evaluator.step(call.site.span, items.size());
-    std::vector<Value> made;
-    for (const Value& item : items)
-      made.push_back(evaluator.make_list({static_cast<std::int64_t>(made.size()), item}, call.site.span));
-    return evaluator.make_list(std::move(made), call.site.span);
+  const Span span = call.site.span;
+  return evaluator.with_list(call.arguments[0], "enumerate", span, [&](const Value& given_list) {
+    const Value list = evaluator.in_place(given_list);
+    const Elements items(list);
+    evaluator.step(span, items.size());
+    std::vector<GuardedElement> made;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      made.push_back(
+          {items.guard(i), evaluator.make_list({static_cast<std::int64_t>(i), items.value(i)}, span)});
+    return Value::chosen_list(std::move(made), true);
   });
 }
 
@@ -118,48 +164,50 @@ bool are_constants(Items keys) {
   });
 }
 
-std::vector<Value> sorted_constants(Evaluator& evaluator, Items items, Items keys, Span span) {
+Value sorted_constants(Evaluator& evaluator, const Elements& items, Items keys, Span span) {
   std::vector<std::size_t> order(items.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return *evaluator.compare(BinaryOp::kLess, keys[a], keys[b], span).get<bool>();
   });
   std::vector<Value> sorted;
-  for (const std::size_t i : order) sorted.push_back(items[i]);
-  return sorted;
+  for (const std::size_t i : order) sorted.push_back(items.value(i));
+  return Value::list(std::move(sorted));
 }
 
 /// Sorts by comparing neighbours in an order that does not depend on what they are: insertion sort as a
 /// network, which keeps equal ones in their order (Knuth, The Art of Computer Programming 3, section 5.3.4).
-std::vector<Value> sorted_by_network(Evaluator& evaluator, Items given_items, Items given_keys, Span span) {
-  std::vector<Value> items(given_items.begin(), given_items.end());
-  std::vector<Value> keys(given_keys.begin(), given_keys.end());
+/// Those that a packed list may not have stay at its end.
+Value sorted_by_network(Evaluator& evaluator, const Elements& given_items, std::vector<Value> keys,
+                        Span span) {
+  std::vector<GuardedElement> items;
+  for (std::size_t i = 0; i < given_items.size(); ++i)
+    items.push_back({given_items.guard(i), given_items.value(i)});
   evaluator.step(span, items.size() * items.size() / 2);
-  const auto exchange = [&](const Value& less, std::vector<Value>& values, std::size_t at) {
-    const Value before = evaluator.select(less, values[at + 1], values[at], span);
-    values[at + 1] = evaluator.select(less, values[at], values[at + 1], span);
-    values[at] = before;
+  const auto exchange = [&](const Value& swaps, Value& a, Value& b) {
+    const Value before = evaluator.select(swaps, b, a, span);
+    b = evaluator.select(swaps, a, b, span);
+    a = before;
   };
   for (std::size_t end = 1; end < items.size(); ++end) {
     for (std::size_t at = end; at-- > 0;) {
-      const Value less = evaluator.compare(BinaryOp::kLess, keys[at + 1], keys[at], span);
+      const auto is_less = [&] { return evaluator.compare(BinaryOp::kLess, keys[at + 1], keys[at], span); };
+      const Value less = where_there(evaluator, given_items, at + 1, span, is_less, false);
       if (const bool* known = less.plain<bool>(); known != nullptr && !*known) continue;
-      exchange(less, items, at);
-      exchange(less, keys, at);
+      exchange(less, items[at].value, items[at + 1].value);
+      exchange(less, keys[at], keys[at + 1]);
     }
   }
-  return items;
+  return Value::chosen_list(std::move(items), true);
 }
 
-void check_numbers(Evaluator& evaluator, Items keys, const char* name, Span span) {
-  for (const Value& key : keys) {
-    evaluator.each_shape(key, [&](const Value& one) {
-      if (!one.is_number())
-        evaluator.program_error(span, fmt::format("'{}' needs numbers, here is {}", name, describe(one)),
-                                "key: fun(x) { ... } gives a number for each");
-      return one;
-    });
-  }
+void check_number(Evaluator& evaluator, const Value& key, const char* name, Span span) {
+  evaluator.each_shape(key, [&](const Value& one) {
+    if (!one.is_number())
+      evaluator.program_error(span, fmt::format("'{}' needs numbers, here is {}", name, describe(one)),
+                              "key: fun(x) { ... } gives a number for each");
+    return one;
+  });
 }
 
 /// The first of the items whose key is least, or greatest.
@@ -183,23 +231,59 @@ const Value* key_function(Evaluator& evaluator, Call call, const char* name) {
   return nullptr;
 }
 
+/// The least of the elements, or the greatest.
+Value extreme_of(Evaluator& evaluator, const Elements& items, Op op, Span span) {
+  require_element(evaluator, items, ConstraintKind::kNotEmpty, span);
+  const auto checked = [&](std::size_t i) {  // an error where it is no number
+    const auto itself = [&] { return evaluator.pick(op, items.value(i), items.value(i), span); };
+    return where_there(evaluator, items, i, span, itself, items.value(i));
+  };
+  Value best = checked(0);
+  Value any = evaluator.has_element(items, 0);  // whether there is one so far
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    const Value has = evaluator.has_element(items, i);
+    const Value both = evaluator.both(any, has);
+    const Value item = both.is<bool>() ? items.value(i) : checked(i);
+    const auto better = [&] { return evaluator.pick(op, best, item, span); };
+    const Value with_item = both.is<bool>() ? better() : evaluator.where(both, span, better, item);
+    best = evaluator.select(has, with_item, best, span);
+    any = evaluator.either(any, has);
+  }
+  return best;
+}
+
 Value extreme(Evaluator& evaluator, Call call, Op op) {
   const Span span = call.site.span;
   const char* name = operation(op).name.data();
   const Value* key = key_function(evaluator, call, name);
-  const auto fold = [&](Items items) -> Value {
+  const Value given_list = call.arguments.size() > 1
+                               ? Value::list({call.arguments.begin(), call.arguments.end()})
+                               : call.arguments[0];
+  if (key == nullptr) {
+    return evaluator.with_list(given_list, name, span, [&](const Value& list) {
+      return extreme_of(evaluator, Elements(list), op, span);
+    });
+  }
+  return evaluator.with_items(given_list, name, span, [&](Items items) -> Value {
     if (items.empty()) evaluator.reject(ConstraintKind::kNotEmpty, span);
-    if (key != nullptr) {
-      const std::vector<Value> keys = keys_of(evaluator, *key, items, call);
-      check_numbers(evaluator, keys, name, span);
-      return extreme_by(evaluator, items, keys, op == Op::kMin ? BinaryOp::kLess : BinaryOp::kGreater, span);
-    }
-    Value best = evaluator.pick(op, items.front(), items.front(), span);  // an error if it is no number
-    for (std::size_t i = 1; i < items.size(); ++i) best = evaluator.pick(op, best, items[i], span);
-    return best;
-  };
-  if (call.arguments.size() > 1) return fold(call.arguments);
-  return evaluator.with_items(call.arguments[0], name, span, fold);
+    const std::vector<Value> keys = keys_of(evaluator, *key, items, call);
+    for (const Value& one : keys) check_number(evaluator, one, name, span);
+    return extreme_by(evaluator, items, keys, op == Op::kMin ? BinaryOp::kLess : BinaryOp::kGreater, span);
+  });
+}
+
+/// A packed list in the order of the keys of its elements.
+Value sorted(Evaluator& evaluator, const Value& list, std::vector<Value> keys, Span span) {
+  const Elements items(list);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto check = [&] {
+      check_number(evaluator, keys[i], "sort", span);
+      return Value(true);
+    };
+    where_there(evaluator, items, i, span, check, true);
+  }
+  if (list.is<List>() && are_constants(keys)) return sorted_constants(evaluator, items, keys, span);
+  return sorted_by_network(evaluator, items, std::move(keys), span);
 }
 
 }  // namespace
@@ -209,13 +293,18 @@ Value maximum(Evaluator& evaluator, Call call) { return extreme(evaluator, call,
 
 Value sort(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
-  return evaluator.with_items(call.arguments[0], "sort", span, [&](Items items) {
-    std::vector<Value> keys(items.begin(), items.end());
-    if (given(call.arguments[1])) keys = keys_of(evaluator, call.arguments[1], items, call);
-    check_numbers(evaluator, keys, "sort", span);
-    std::vector<Value> sorted = are_constants(keys) ? sorted_constants(evaluator, items, keys, span)
-                                                    : sorted_by_network(evaluator, items, keys, span);
-    return evaluator.make_list(std::move(sorted), span);
+  if (given(call.arguments[1])) {
+    return evaluator.with_items(call.arguments[0], "sort", span, [&](Items items) {
+      std::vector<Value> keys = keys_of(evaluator, call.arguments[1], items, call);
+      return sorted(evaluator, Value::list({items.begin(), items.end()}), std::move(keys), span);
+    });
+  }
+  return evaluator.with_list(call.arguments[0], "sort", span, [&](const Value& given_list) {
+    const Value list = evaluator.in_place(given_list);
+    const Elements items(list);
+    std::vector<Value> keys;
+    for (std::size_t i = 0; i < items.size(); ++i) keys.push_back(items.value(i));
+    return sorted(evaluator, list, std::move(keys), span);
   });
 }
 

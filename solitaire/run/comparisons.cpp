@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "solitaire/run/binary_meaning.h"
-#include "solitaire/value/chosen_list.h"
 #include "solitaire/value/elements.h"
 #include "solitaire/value/joined.h"
 
@@ -93,10 +92,7 @@ Value Comparisons::equal_shaped(const Value& a, const Value& b, Span span) {
   if (const List* list = a.as_list(); list != nullptr && b.as_list() != nullptr) {
     return equal_members(list->items, b.as_list()->items, span);
   }
-  const auto in_order = [this](const Value& list) {
-    return list.is<ChosenList>() ? packed(*graph_, list) : list;
-  };
-  if (a.is_list() && b.is_list()) return equal_lists(in_order(a), in_order(b), span);
+  if (a.is_list() && b.is_list()) return equal_lists(in_place(a), in_place(b), span);
   if (const Record* record = a.object<Record>(); record != nullptr && b.object<Record>() != nullptr) {
     const Record* other = b.object<Record>();
     return record->type == other->type ? equal_members(record->fields, other->fields, span) : Value(false);

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "solitaire/run/scalar_operations.h"
+#include "solitaire/value/chosen_list.h"
 
 namespace solitaire {
 
@@ -13,6 +14,8 @@ class Comparisons : public ScalarOperations {
   Value compare(BinaryOp op, const Value& a, const Value& b, Span span);
   /// Structural equality, as a bool. It takes a step for each pair of members, which count at `span`.
   Value equal(const Value& a, const Value& b, Span span = {});
+  /// The same list, packed: an element's index is then its place.
+  Value in_place(const Value& list) { return list.is<ChosenList>() ? packed(*graph_, list) : list; }
   /// A text that only the execution of a solution knows; `span` is what makes it.
   Value opaque_string(Span span);
   /// For what needs to know what a string says.
