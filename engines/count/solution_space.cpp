@@ -98,10 +98,11 @@ std::optional<std::uint64_t> SpacePart::enumerate(std::uint64_t most, const Stop
 }
 
 std::optional<NestedSampler> SpacePart::nested_sampler(RandomStream random, const StopSignal& stop,
-                                                       std::size_t most_in_cluster) const {
-  auto clusters = Clusters::of(*graph_, variables_, conditions_, most_in_cluster);
+                                                       const NestedLimits& limits) const {
+  auto clusters = Clusters::of(*graph_, variables_, conditions_, limits.most_in_cluster);
   if (!clusters) return std::nullopt;
-  return NestedSampler::prepared(ClusterNetwork(*graph_, std::move(*clusters)), random, stop);
+  return NestedSampler::prepared(ClusterNetwork(*graph_, std::move(*clusters)), random, stop,
+                                 limits.most_cases_kept);
 }
 
 void SpacePart::decode(const BitModel& model, VariableValues& values) const {

@@ -42,7 +42,7 @@ class SpacePart {
   /// Returns nothing where NestedSampler::prepared does, or the choices cannot be put into clusters. Throws
   /// Interrupted.
   std::optional<NestedSampler> nested_sampler(RandomStream random, const StopSignal& stop,
-                                              std::size_t most_in_cluster = tuning::kMostInCluster) const;
+                                              const NestedLimits& limits = {}) const;
   /// The values of the choices that a model stands for.
   void decode(const BitModel& model, VariableValues& values) const;
 

@@ -135,6 +135,10 @@ TEST_CASE("digits: solvers find what codes of squares can be") {
       solver->add_clause({&required, 1});
       while (solver->check({}, never) == Verdict::kSatisfiable && found <= expected) {
         ++found;
+        const auto code_of = [&](std::size_t row) {
+          return solver->value(row) * width + solver->value(row + 1);
+        };
+        REQUIRE((code_of(0) + moved == code_of(2)) == holds);
         std::vector<NodeId> other;
         for (std::size_t i = 0; i < choices.size(); ++i) {
           const NodeId same = graph.apply(Op::kEqInt, {choices[i], graph.constant(solver->value(i))});

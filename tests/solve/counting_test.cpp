@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "engines/count/estimate.h"
+#include "engines/count/solution_space.h"
 #include "tests/support/command.h"
 #include "tests/support/program_run.h"
 
@@ -70,6 +72,23 @@ TEST_CASE("counting: estimates are within their tolerance of what is known") {
   check("d = [range(1, 6) for i in 1..8];\nassert(sum(d) == 28);\nreturn d;\n", 135954, 0.8);
   check("x = range(0, 999);\ny = range(0, 999);\nz = range(1, 1000);\nassert(x < y);\nreturn [x, y, z];\n",
         499500e3, 0.5);
+}
+
+TEST_CASE("counting: estimates from cells are within their tolerance as often as they say") {
+  const Program program =
+      program_of("x = range(0, 30);\ny = range(0, 30);\nassert(x < y);\nreturn [x, y];\n");
+  TracedProgram traced(program, {}, {});
+  REQUIRE(traced.explore_fully());
+  SolutionSpace space(traced);
+  REQUIRE(space.parts().size() == 1);
+  const StopSignal stop;
+  int off = 0;
+  for (std::uint64_t index = 0; index < 10; ++index) {
+    const RandomStream random(3, Purpose::kCount, index);
+    const Estimate estimate = estimate_models(space.parts().front(), {0.8, 0.9}, random, stop);
+    if (std::abs(estimate.log10 - std::log10(465.0)) > std::log10(1.8)) ++off;
+  }
+  CHECK(off < 5);  // 1 on the average at most; 5 and more in one of 600 such tests
 }
 
 TEST_CASE("counting: what is gone through and not kept may be ten times as much as what is listed") {

@@ -64,11 +64,11 @@ bool NestedSampler::prepare(RandomStream& random, const StopSignal& stop) {
     std::uint64_t attempts = 0;
     std::uint64_t successes = 0;
     for (; bounds_.work() - start < most; ++attempts) {
-      successes += attempt(random, stop, cases_kept_ < tuning::kMostCasesKept) ? 1 : 0;
+      successes += attempt(random, stop, cases_kept_ < most_cases_kept_) ? 1 : 0;
     }
     success_ = static_cast<double>(successes) / static_cast<double>(attempts);
     if (successes >= tuning::kManyDraws) return true;
-    const bool bounds_stay = cases_kept_ >= tuning::kMostCasesKept;
+    const bool bounds_stay = cases_kept_ >= most_cases_kept_;
     if (2 * most > tuning::kMostWorkToPrepare || (bounds_stay && successes > 0))
       return successes > 0 && successes >= most / tuning::kMostWorkToDraw;
     if (bounds_stay && most >= tuning::kWorkWithoutSuccess) return false;
@@ -77,12 +77,13 @@ bool NestedSampler::prepare(RandomStream& random, const StopSignal& stop) {
 }
 
 std::optional<NestedSampler> NestedSampler::prepared(ClusterNetwork network, RandomStream random,
-                                                     const StopSignal& stop) try {
+                                                     const StopSignal& stop,
+                                                     std::size_t most_cases_kept) try {
   NestedBounds bounds(std::move(network));
   auto order = order_of_clusters(bounds, random, stop);
   if (!order) return std::nullopt;
   Place first = bounds.place(bounds.start(), order->front(), stop);
-  NestedSampler sampler(std::move(bounds), std::move(*order), std::move(first));
+  NestedSampler sampler(std::move(bounds), std::move(*order), std::move(first), most_cases_kept);
   if (!sampler.prepare(random, stop)) return std::nullopt;
   sampler.bounds_.lift_limit();
   return sampler;

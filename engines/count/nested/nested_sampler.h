@@ -8,8 +8,15 @@
 #include "base/random.h"
 #include "base/stop_signal.h"
 #include "engines/count/nested/nested_bounds.h"
+#include "engines/count/nested/tuning.h"
 
 namespace solitaire {
+
+/// What sampling by nested bounds may keep.
+struct NestedLimits {
+  std::size_t most_in_cluster = tuning::kMostInCluster;
+  std::size_t most_cases_kept = tuning::kMostCasesKept;
+};
 
 /// Draws what the clusters of a network can be together, each of all solutions with exactly the same
 /// probability (up to the rounding of floats), each draw independent of those before.
@@ -29,7 +36,7 @@ class NestedSampler {
  public:
   /// Returns nothing where attempts hardly ever succeed. Throws Interrupted.
   static std::optional<NestedSampler> prepared(ClusterNetwork network, RandomStream random,
-                                               const StopSignal& stop);
+                                               const StopSignal& stop, std::size_t most_cases_kept);
 
   /// Depends on the stream alone. Throws Interrupted.
   Cases draw(RandomStream& random, const StopSignal& stop);
@@ -48,8 +55,11 @@ class NestedSampler {
     std::size_t at;
   };
 
-  NestedSampler(NestedBounds bounds, std::vector<std::size_t> order, Place first)
-      : bounds_(std::move(bounds)), order_(std::move(order)), places_{std::move(first)} {}
+  NestedSampler(NestedBounds bounds, std::vector<std::size_t> order, Place first, std::size_t most_cases_kept)
+      : bounds_(std::move(bounds)),
+        order_(std::move(order)),
+        most_cases_kept_(most_cases_kept),
+        places_{std::move(first)} {}
 
   bool prepare(RandomStream& random, const StopSignal& stop);
   std::optional<Cases> attempt(RandomStream& random, const StopSignal& stop, bool keep);
@@ -58,6 +68,7 @@ class NestedSampler {
 
   NestedBounds bounds_;
   std::vector<std::size_t> order_;
+  std::size_t most_cases_kept_;
   std::vector<Place> places_;  // the first is where nothing is chosen
   std::size_t cases_kept_ = 0;
   double success_ = 0;  // the part of attempts that succeeded when all was prepared
