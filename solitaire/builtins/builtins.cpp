@@ -263,11 +263,10 @@ Value distinct(Evaluator& evaluator, Call call) {
     Value differ = true;
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        const Value has = evaluator.has_element(items, j);
         const auto apart = [&] {
           return evaluator.invert(evaluator.equal(items.value(i), items.value(j), span));
         };
-        differ = evaluator.both(differ, has.is<bool>() ? apart() : evaluator.where(has, span, apart, true));
+        differ = evaluator.both(differ, evaluator.where(evaluator.has_element(items, j), span, apart, true));
       }
     }
     return differ;
@@ -282,8 +281,7 @@ Value pairs(Evaluator& evaluator, Call call) {
     made.reserve(items.size() * items.size() / 2);
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        const NodeId both =
-            list.is<List>() ? kTrue : evaluator.graph().conjunction(items.guard(i), items.guard(j));
+        const NodeId both = evaluator.guard_of_both(items.guard(i), items.guard(j));
         made.push_back({both, evaluator.make_list({items.value(i), items.value(j)}, call.site.span)});
       }
     }
@@ -296,7 +294,7 @@ Value zipped(Evaluator& evaluator, const Value& first, const Value& second, Span
   const Elements a(first), b(second);
   std::vector<GuardedElement> made;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const NodeId both = first.is<List>() ? b.guard(i) : evaluator.graph().conjunction(a.guard(i), b.guard(i));
+    const NodeId both = evaluator.guard_of_both(a.guard(i), b.guard(i));
     made.push_back({both, evaluator.make_list({a.value(i), b.value(i)}, span)});
   }
   return Value::chosen_list(std::move(made), true);
@@ -352,11 +350,7 @@ Value cdr(Evaluator& evaluator, Call call) {
 
 Value null(Evaluator& evaluator, Call call) {
   return evaluator.with_list(call.arguments[0], "null", argument_span(call, 0), [&](const Value& list) {
-    const Elements items(list);
-    Value any = false;
-    for (std::size_t i = 0; i < items.size(); ++i)
-      any = evaluator.either(any, evaluator.has_element(items, i));
-    return evaluator.invert(any);
+    return evaluator.invert(evaluator.has_any_element(Elements(list)));
   });
 }
 

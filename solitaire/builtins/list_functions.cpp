@@ -25,48 +25,30 @@ Value count_in(Evaluator& evaluator, const Value& list, const Value& wanted, Spa
   return total;
 }
 
-/// f() where the list has the element of that number, else `otherwise`.
-template <class Function>
-Value where_there(Evaluator& evaluator, const Elements& items, std::size_t number, Span span, Function f,
-                  const Value& otherwise) {
-  const Value has = evaluator.has_element(items, number);
-  return has.is<bool>() ? f() : evaluator.where(has, span, f, otherwise);
-}
-
 /// Requires that the list has an element.
 void require_element(Evaluator& evaluator, const Elements& items, ConstraintKind kind, Span span) {
   if (items.size() == 0) evaluator.reject(kind, span);
-  Value any = evaluator.has_element(items, 0);
-  for (std::size_t i = 1; i < items.size() && !any.is<bool>(); ++i)
-    any = evaluator.either(any, evaluator.has_element(items, i));
-  evaluator.require(any, kind, span);
+  evaluator.require(evaluator.has_any_element(items), kind, span);
 }
 
-Value first_of(Evaluator& evaluator, const Elements& items, Span span) {
-  std::size_t first = 0;  // behind those that may be missing, if any is always there
-  while (first + 1 < items.size() && items.guard(first) != kTrue) ++first;
-  Value found = items.value(first);
-  for (std::size_t i = first; i-- > 0;)
-    found = evaluator.select(evaluator.has_element(items, i), items.value(i), found, span);
+/// The first element that the list has, or the last one. It has one at least.
+Value outermost(Evaluator& evaluator, const Elements& items, bool last, Span span) {
+  const auto position = [&](std::size_t number) { return last ? items.size() - 1 - number : number; };
+  std::size_t certain = 0;  // counted from that end, which of them is always there
+  while (certain + 1 < items.size() && items.guard(position(certain)) != kTrue) ++certain;
+  Value found = items.value(position(certain));
+  for (std::size_t i = certain; i-- > 0;) {
+    const Value has = evaluator.has_element(items, position(i));
+    found = evaluator.select(has, items.value(position(i)), found, span);
+  }
   return found;
 }
 
-Value last_of(Evaluator& evaluator, const Elements& items, Span span) {
-  std::size_t last = items.size() - 1;
-  while (last > 0 && items.guard(last) != kTrue) --last;
-  Value found = items.value(last);
-  for (std::size_t i = last + 1; i < items.size(); ++i)
-    found = evaluator.select(evaluator.has_element(items, i), items.value(i), found, span);
-  return found;
-}
-
-/// `end` gives one of the elements of a list that is not empty.
-template <class End>
-Value required_element(Evaluator& evaluator, Call call, const char* name, End end) {
+Value required_element(Evaluator& evaluator, Call call, const char* name, bool last) {
   return evaluator.with_list(call.arguments[0], name, call.site.span, [&](const Value& list) {
     const Elements items(list);
     require_element(evaluator, items, ConstraintKind::kIndex, call.site.span);
-    return end(evaluator, items, call.site.span);
+    return outermost(evaluator, items, last, call.site.span);
   });
 }
 
@@ -76,7 +58,7 @@ std::vector<Value> equalities(Evaluator& evaluator, const Elements& items, const
   equal.reserve(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
     const auto is_equal = [&] { return evaluator.equal(items.value(i), value, span); };
-    equal.push_back(where_there(evaluator, items, i, span, is_equal, false));
+    equal.push_back(evaluator.where(evaluator.has_element(items, i), span, is_equal, false));
   }
   return equal;
 }
@@ -115,11 +97,11 @@ Value index_of(Evaluator& evaluator, Call call) {
 }
 
 Value first_element(Evaluator& evaluator, Call call) {
-  return required_element(evaluator, call, "first", first_of);
+  return required_element(evaluator, call, "first", false);
 }
 
 Value last_element(Evaluator& evaluator, Call call) {
-  return required_element(evaluator, call, "last", last_of);
+  return required_element(evaluator, call, "last", true);
 }
 
 Value enumerate(Evaluator& evaluator, Call call) {
@@ -192,7 +174,7 @@ Value sorted_by_network(Evaluator& evaluator, const Elements& given_items, std::
   for (std::size_t end = 1; end < items.size(); ++end) {
     for (std::size_t at = end; at-- > 0;) {
       const auto is_less = [&] { return evaluator.compare(BinaryOp::kLess, keys[at + 1], keys[at], span); };
-      const Value less = where_there(evaluator, given_items, at + 1, span, is_less, false);
+      const Value less = evaluator.where(evaluator.has_element(given_items, at + 1), span, is_less, false);
       if (const bool* known = less.plain<bool>(); known != nullptr && !*known) continue;
       exchange(less, items[at].value, items[at + 1].value);
       exchange(less, keys[at], keys[at + 1]);
@@ -236,17 +218,16 @@ Value extreme_of(Evaluator& evaluator, const Elements& items, Op op, Span span) 
   require_element(evaluator, items, ConstraintKind::kNotEmpty, span);
   const auto checked = [&](std::size_t i) {  // an error where it is no number
     const auto itself = [&] { return evaluator.pick(op, items.value(i), items.value(i), span); };
-    return where_there(evaluator, items, i, span, itself, items.value(i));
+    return evaluator.where(evaluator.has_element(items, i), span, itself, items.value(i));
   };
   Value best = checked(0);
   Value any = evaluator.has_element(items, 0);  // whether there is one so far
   for (std::size_t i = 1; i < items.size(); ++i) {
     const Value has = evaluator.has_element(items, i);
     const Value both = evaluator.both(any, has);
-    const Value item = both.is<bool>() ? items.value(i) : checked(i);
+    const Value item = both.is<bool>() ? items.value(i) : checked(i);  // which pick() checks otherwise
     const auto better = [&] { return evaluator.pick(op, best, item, span); };
-    const Value with_item = both.is<bool>() ? better() : evaluator.where(both, span, better, item);
-    best = evaluator.select(has, with_item, best, span);
+    best = evaluator.select(has, evaluator.where(both, span, better, item), best, span);
     any = evaluator.either(any, has);
   }
   return best;
@@ -280,7 +261,7 @@ Value sorted(Evaluator& evaluator, const Value& list, std::vector<Value> keys, S
       check_number(evaluator, keys[i], "sort", span);
       return Value(true);
     };
-    where_there(evaluator, items, i, span, check, true);
+    evaluator.where(evaluator.has_element(items, i), span, check, true);
   }
   if (list.is<List>() && are_constants(keys)) return sorted_constants(evaluator, items, keys, span);
   return sorted_by_network(evaluator, items, std::move(keys), span);

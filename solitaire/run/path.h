@@ -26,6 +26,13 @@ class Path {
     steps = guarded_steps = 0;
   }
 
+  /// The guard of what is there where both guards hold. A concrete execution has no other than kTrue, and no
+  /// graph.
+  NodeId conjunction(NodeId a, NodeId b) const {
+    if (a == kTrue) return b;
+    if (b == kTrue) return a;
+    return graph_->conjunction(a, b);
+  }
   /// The whole guard, relative to the innermost detached region.
   NodeId guard() const { return conjunction(regions_.back().entry, regions_.back().local); }
   NodeId local() const { return regions_.back().local; }
@@ -67,11 +74,6 @@ class Path {
     NodeId entry, local;
     bool guarded = false;  // at its start
   };
-  NodeId conjunction(NodeId a, NodeId b) const {
-    if (a == kTrue) return b;  // a concrete execution ends here and touches no graph
-    if (b == kTrue) return a;
-    return graph_->conjunction(a, b);
-  }
 
   Graph* graph_;
   std::vector<Region> regions_;

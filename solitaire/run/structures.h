@@ -54,6 +54,17 @@ class Structures : public Operators {
     const NodeId guard = list.guard(number);
     return guard == kTrue ? Value(true) : value_of(*graph_, guard);
   }
+  /// Whether a list has any element, as a bool.
+  Value has_any_element(const Elements& list) {
+    Value any = false;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      any = either(any, has_element(list, i));
+      if (any.is<bool>()) break;  // it has that one always
+    }
+    return any;
+  }
+  /// The guard of what is there where two elements with these guards are.
+  NodeId guard_of_both(NodeId a, NodeId b) const { return path_.conjunction(a, b); }
   /// Counts a step for each part of a value, before all of it is looked at: lists that share their elements
   /// can have far more parts than there were steps to make them.
   void count_parts(const Value& value, Span span);

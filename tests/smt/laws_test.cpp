@@ -527,9 +527,9 @@ TEST_CASE("graph: a comparison of what is chosen is about the sides that it does
   CHECK(graph.apply(Op::kLtInt, {zero, length}) ==
         graph.disjunction(graph.negation(c), graph.apply(Op::kLtInt, {y, x})));
   const NodeId five = graph.constant(std::int64_t{5});
-  CHECK(graph.node(graph.apply(Op::kLeInt, {graph.phi(c, x, y), five})).op ==
-        Op::kLeInt);  // it settles neither
-  NodeId chain = x;   // deeper than it is looked into: it stays as it is, and comes to its end
+  // Where it settles neither side, it stays as it is.
+  CHECK(graph.node(graph.apply(Op::kLeInt, {graph.phi(c, x, y), five})).op == Op::kLeInt);
+  NodeId chain = x;  // deeper than it is looked into: it stays as it is, and comes to its end
   for (int i = 0; i < 5000; ++i)
     chain = graph.phi(graph.apply(Op::kLtInt, {choice(std::to_string(i).c_str(), 0, 1), one}), one, chain);
   CHECK(graph.node(graph.apply(Op::kLeInt, {chain, zero})).op == Op::kLeInt);

@@ -43,7 +43,7 @@ class NestedBounds {
   explicit NestedBounds(ClusterNetwork network);
 
   const Clusters& clusters() const { return network_.clusters(); }
-  /// Returns that nothing is chosen.
+  /// Returns the choice of no cluster yet, with all that they can be.
   PartialChoice start();
   /// Returns what a cluster can be that is not chosen. Throws Interrupted and TooMuchWork.
   Place place(const PartialChoice& choice, std::size_t cluster, const StopSignal& stop);

@@ -12,7 +12,7 @@
 
 namespace solitaire {
 
-/// What sampling by nested bounds may keep.
+/// How many cases a cluster may have, and the places that are kept may have in all.
 struct NestedLimits {
   std::size_t most_in_cluster = tuning::kMostInCluster;
   std::size_t most_cases_kept = tuning::kMostCasesKept;

@@ -58,8 +58,17 @@ class Sampling:
         return domain[self.random.randrange(len(domain))]
 
 
-MOST_STEPS_OF_ALL = 3_000_000
 SAMPLES = 4
+
+
+def estimated_executions(run):
+    samples = [Sampling(seed) for seed in range(SAMPLES)]
+    for sample in samples:
+        run(sample.choose)
+    return sum(sample.product for sample in samples) / SAMPLES
+
+
+MOST_STEPS_OF_ALL = 3_000_000
 # By Markov's inequality, no more than one in so many programs is taken for too large that is not.
 SURE = 1000
 
@@ -76,10 +85,7 @@ def all_executions(program, params=None, max_executions=2000, max_steps=200_000,
         except (Rejected, ProgramError) as end:
             return execution, end
 
-    sampling = [Sampling(number) for number in range(SAMPLES)]
-    for sample in sampling:
-        run(sample.choose)
-    if sum(sample.product for sample in sampling) > SURE * SAMPLES * max_executions:
+    if estimated_executions(run) > SURE * max_executions:
         raise TooMany
     results = Results()
     steps = 0
