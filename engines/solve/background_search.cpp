@@ -41,24 +41,22 @@ void BackgroundSearch::run() {
       times_.replays = 0;  // whoever takes the solution runs it again, and counts that
       if (!solution) {
         lock.unlock();
-        return finish(engine.ending(), nullptr);
+        return finish({engine.ending(), nullptr});
       }
       found_.push_back(all_choices(*solution));
       changed_.notify_all();
     }
-    finish(Ending::kStopped, nullptr);
+    finish({Ending::kStopped, nullptr});
   } catch (const Interrupted&) {
-    finish(Ending::kStopped, nullptr);
+    finish({Ending::kStopped, nullptr});
   } catch (...) {
-    finish(Ending::kStopped, std::current_exception());
+    finish({Ending::kStopped, std::current_exception()});
   }
 }
 
-void BackgroundSearch::finish(Ending ending, std::exception_ptr error) {
+void BackgroundSearch::finish(End end) {
   const std::lock_guard lock(mutex_);
-  ending_ = ending;
-  error_ = std::move(error);
-  over_ = true;
+  end_ = std::move(end);
   changed_.notify_all();
 }
 
@@ -80,7 +78,7 @@ std::optional<ChosenValues> BackgroundSearch::next() {
   std::unique_lock lock(mutex_);
   wanted_ = std::max(wanted_, taken_ + 1);
   changed_.notify_all();
-  while (found_.empty() && !over_) {
+  while (found_.empty() && !end_) {
     if (whole_ != nullptr && whole_->stopped()) {
       ending_ = Ending::kStopped;
       return std::nullopt;
@@ -88,7 +86,8 @@ std::optional<ChosenValues> BackgroundSearch::next() {
     changed_.wait_for(lock, kLook);
   }
   if (found_.empty()) {
-    if (error_) std::rethrow_exception(error_);
+    if (end_->error) std::rethrow_exception(end_->error);
+    ending_ = end_->ending;
     return std::nullopt;
   }
   ChosenValues next = std::move(found_.front());

@@ -23,6 +23,8 @@ class BackgroundSearch {
                    std::uint64_t first, std::vector<ChosenValues> known, std::size_t wanted);
   ~BackgroundSearch();
 
+  // For the thread that made the search:
+
   /// Returns the next solution, or nothing; then ending() says why. Throws what the engine threw.
   std::optional<ChosenValues> next();
   Ending ending() const { return ending_; }
@@ -30,9 +32,15 @@ class BackgroundSearch {
   EngineTimes times() const;
 
  private:
+  /// How the engine came to its end.
+  struct End {
+    Ending ending = Ending::kNone;
+    std::exception_ptr error;
+  };
+
   void run();
   bool wait_until_wanted();
-  void finish(Ending ending, std::exception_ptr error);
+  void finish(End end);
 
   const Program& program_;
   ParamValues params_;  // the thread takes them
@@ -41,16 +49,15 @@ class BackgroundSearch {
   StopSignal stop_;
   std::uint64_t first_;
   std::vector<ChosenValues> known_;
+  Ending ending_ = Ending::kNone;  // what next() came to; the search may come to another end after that
 
-  mutable std::mutex mutex_;  // guards all members below
+  mutable std::mutex mutex_;  // guards the members below, up to the thread
   std::condition_variable changed_;
   std::deque<ChosenValues> found_;
   EngineTimes times_;
   std::size_t taken_ = 0;
   std::size_t wanted_;
-  bool over_ = false;
-  std::exception_ptr error_;
-  Ending ending_ = Ending::kNone;
+  std::optional<End> end_;
 
   LargeStackThread thread_;  // comes last, as it uses the others
 };
