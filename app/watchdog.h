@@ -22,7 +22,7 @@ class Watchdog {
  public:
   /// Delivers what is left when a limit came and gives the exit status.
   using Finish = std::function<ExitStatus()>;
-  using Lock = std::unique_lock<std::timed_mutex>;
+  using Lock = std::unique_lock<std::mutex>;
 
   explicit Watchdog(const Options& options);
   Watchdog(const Watchdog&) = delete;
@@ -61,7 +61,7 @@ class Watchdog {
 
   const Options& options_;
 
-  std::timed_mutex mutex_;
+  std::mutex mutex_;
   Finish finish_;                     // what follows is for whoever holds the mutex
   std::optional<ExitStatus> status_;  // once concluded
 

@@ -52,8 +52,9 @@ constexpr const char* kLaterLarge =
     "return Best(\"best so far\", [d, [down(0)]]);\n";
 
 void check_no_race(const Outcome& outcome) {
-  const bool raced = outcome.err.find("ThreadSanitizer") != std::string::npos;
-  CHECK_MESSAGE(!raced, outcome.err.substr(0, 6000));
+  const std::size_t report = outcome.err.find("WARNING: ThreadSanitizer");
+  const bool raced = report != std::string::npos;
+  CHECK_MESSAGE(!raced, outcome.err.substr(raced ? report : 0, 20000));
 }
 
 /// Runs the program; a limit or an interrupt may end it.
