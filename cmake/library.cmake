@@ -17,6 +17,10 @@ if(SOLITAIRE_FUZZ)
   target_compile_options(solitaire_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# For what runs for a shorter time than it takes to compile with sanitizers.
+add_library(sanitized_as_it_is INTERFACE)
+target_compile_options(sanitized_as_it_is INTERFACE $<$<BOOL:${SOLITAIRE_SANITIZE}>:-O0>)
+
 # solitaire_library(NAME DEPENDENCY...): a library of all the .cpp files of the current folder and those below it. A
 # folder below with a CMakeLists.txt of its own is a module that this library does not contain.
 function(solitaire_library name)

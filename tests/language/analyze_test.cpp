@@ -292,7 +292,7 @@ std::string analysis_fault(const std::string& text) {
   return symbols_fault(analysis.program);
 }
 
-TEST_CASE("analyze: takes every beginning of every script of the project") {
+TEST_CASE("analyze: takes every beginning of every script of the project (slow)") {
   for (const std::string& text : all_scripts()) {
     const std::size_t step = 1 + text.size() / 100;
     for (std::size_t size = 0; size <= text.size(); size += step) {

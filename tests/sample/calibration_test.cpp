@@ -13,7 +13,7 @@ using Engine = SamplingOptions::Engine;
 /// One in 10,000 with 7 degrees of freedom.
 constexpr double kMostChiSquared = 29.9;
 
-TEST_CASE("calibration: ranks of unknowns among draws of their posterior are uniform, on traces") {
+TEST_CASE("calibration: ranks of unknowns among draws of their posterior are uniform, on traces (slow)") {
   for (const CalibratedModel& model : kCalibratedModels) {
     CAPTURE(model.prior);
     CHECK(calibration(model, Engine::kShred, 1, 100) < kMostChiSquared);

@@ -62,7 +62,7 @@ void check_frequencies(const std::string& text, Engine engine, std::uint64_t dra
   CHECK(worst.errors < 4.5);
 }
 
-TEST_CASE("each value comes as often as it is probable, with the lightweight engine") {
+TEST_CASE("each value comes as often as it is probable, with the lightweight engine (slow)") {
   for (const Counted& counted : kPrograms) check_frequencies(counted.text, Engine::kLightweight);
 }
 

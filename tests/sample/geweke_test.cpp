@@ -99,7 +99,7 @@ void check_joint(const char* text, Engine engine, std::uint64_t draws, bool rest
   }
 }
 
-TEST_CASE("chains over parameters and data come back to the prior, on traces") {
+TEST_CASE("chains over parameters and data come back to the prior, on traces (slow)") {
   for (const char* text : kJoint) check_joint(text, Engine::kShred, 8000, false);
   check_joint(kTogether, Engine::kShred, 20'000, false);
   check_joint(kDisconnected, Engine::kShred, 8000, true);

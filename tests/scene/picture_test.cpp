@@ -305,7 +305,7 @@ TEST_CASE("picture: unusual scenes") {
   CHECK(error_of([&] { painter.draw(scene_of({}), {1U << 20, 1U << 20}); }) != "");
 }
 
-TEST_CASE("picture: a hundred thousand boxes") {
+TEST_CASE("picture: a hundred thousand boxes (slow)") {
   std::vector<PlacedThing> boxes;
   for (int i = 0; i < 100'000; ++i) {
     const double x = i % 400, y = i / 400;

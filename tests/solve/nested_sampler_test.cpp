@@ -74,7 +74,7 @@ constexpr const char* kUnequalPaths =
     "n = range(0, 3);\nxs = [range(0, 4) for i in 1..n];\nassert(sum(xs) % 3 != 1);\n"
     "if flip() { assert(length(xs) != 2); }\nreturn xs;\n";
 
-TEST_CASE("nested bounds: solutions are alike probable") {
+TEST_CASE("nested bounds: solutions are alike probable (slow)") {
   for (const char* text : {kThings, kSum, kOperations, kUnequalPaths}) {
     // Once all places are kept, the bounds of small programs are exact; without any, most attempts fail.
     for (const NestedLimits limits :

@@ -99,7 +99,7 @@ TEST_CASE("permutations: to compare ints that are looked up is no longer needed"
   }
 }
 
-TEST_CASE("permutations: rows and columns of a square") {
+TEST_CASE("permutations: rows and columns of a square (slow)") {
   DifferentInts ints;
   std::vector<std::vector<NodeId>> rows(3), columns(3);
   for (std::size_t i = 0; i < 9; ++i) {

@@ -84,7 +84,7 @@ DrawCounts first_solutions(const Sampled& program, std::uint64_t seeds, Make mak
   return tally;
 }
 
-TEST_CASE("uniform: solutions are alike probable where all are listed") {
+TEST_CASE("uniform: solutions are alike probable where all are listed (slow)") {
   for (const Sampled& program : sampled()) {
     CAPTURE(program.text);
     CHECK_FALSE(
@@ -131,7 +131,7 @@ TEST_CASE("uniform: models drawn from cells are alike probable on unequal paths 
        "assert(y + z < 18);\nreturn [y, z];\n"});
 }
 
-TEST_CASE("uniform: without repetitions each solution comes once, listed or from cells") {
+TEST_CASE("uniform: without repetitions each solution comes once, listed or from cells (slow)") {
   for (const Sampled& program : sampled()) {
     CAPTURE(program.text);
     const DrawCounts all = all_of(program);

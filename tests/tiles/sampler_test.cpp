@@ -150,7 +150,7 @@ TEST_CASE("connectivity counts components, by the sides that are open") {
   CHECK(Connected(ring, sides, "").violation(map("_.._\n....\n")) == 0);
 }
 
-TEST_CASE("the connected maps of a small grid come as often as enumeration says") {
+TEST_CASE("the connected maps of a small grid come as often as enumeration says (slow)") {
   const std::shared_ptr<Style> style = style_of(kStreets);
   add_step_shape(*style, {{2, 2, 1}}, 0.5);
   Problem problem(style, flat(3, 2));

@@ -50,14 +50,14 @@ std::shared_ptr<Style> soft_streets(double epsilon = 0.5) {
   return style;
 }
 
-TEST_CASE("windows draw the maps that enumeration lists, each as often as its weight says") {
+TEST_CASE("windows draw the maps that enumeration lists, each as often as its weight says (slow)") {
   const Problem streets(soft_streets(), flat(3, 2));
   const double ratio = chain_chi_squared(streets, streets, {});
   CHECK(ratio > 0.7);
   CHECK(ratio < 1.3);
 }
 
-TEST_CASE("boxes of sites are drawn as exactly as bands are") {
+TEST_CASE("boxes of sites are drawn as exactly as bands are (slow)") {
   const Problem streets(soft_streets(), flat(3, 3));
   ChainOptions options;
   options.boxes = true;
@@ -79,7 +79,7 @@ TEST_CASE("tiles are the same on sides beside which the same tiles may stand") {
   CHECK(classes.of(side(0, 1) | side(1, 1)) == nullptr);
 }
 
-TEST_CASE("windows are drawn exactly where they forget what later tiles need not know") {
+TEST_CASE("windows are drawn exactly where they forget what later tiles need not know (slow)") {
   const std::shared_ptr<Style> style = style_of(kStreets);
   add_step_shape(*style, {{1, 1, 1}}, 0.5);
   std::vector<double>& weights = style->shapes.front().log_weights.front();
