@@ -146,50 +146,48 @@ bool are_constants(Items keys) {
   });
 }
 
-Value sorted_constants(Evaluator& evaluator, const Elements& items, Items keys, Span span) {
+std::vector<Value> sorted_constants(Evaluator& evaluator, Items items, Items keys, Span span) {
   std::vector<std::size_t> order(items.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return *evaluator.compare(BinaryOp::kLess, keys[a], keys[b], span).get<bool>();
   });
   std::vector<Value> sorted;
-  for (const std::size_t i : order) sorted.push_back(items.value(i));
-  return Value::list(std::move(sorted));
+  for (const std::size_t i : order) sorted.push_back(items[i]);
+  return sorted;
 }
 
 /// Sorts by comparing neighbours in an order that does not depend on what they are: insertion sort as a
 /// network, which keeps equal ones in their order (Knuth, The Art of Computer Programming 3, section 5.3.4).
-/// Those that a packed list may not have stay at its end.
-Value sorted_by_network(Evaluator& evaluator, const Elements& given_items, std::vector<Value> keys,
-                        Span span) {
-  std::vector<GuardedElement> items;
-  for (std::size_t i = 0; i < given_items.size(); ++i)
-    items.push_back({given_items.guard(i), given_items.value(i)});
+std::vector<Value> sorted_by_network(Evaluator& evaluator, Items given_items, Items given_keys, Span span) {
+  std::vector<Value> items(given_items.begin(), given_items.end());
+  std::vector<Value> keys(given_keys.begin(), given_keys.end());
   evaluator.step(span, items.size() * items.size() / 2);
-  const auto exchange = [&](const Value& swaps, Value& a, Value& b) {
-    const Value before = evaluator.select(swaps, b, a, span);
-    b = evaluator.select(swaps, a, b, span);
-    a = before;
+  const auto exchange = [&](const Value& less, std::vector<Value>& values, std::size_t at) {
+    const Value before = evaluator.select(less, values[at + 1], values[at], span);
+    values[at + 1] = evaluator.select(less, values[at], values[at + 1], span);
+    values[at] = before;
   };
   for (std::size_t end = 1; end < items.size(); ++end) {
     for (std::size_t at = end; at-- > 0;) {
-      const auto is_less = [&] { return evaluator.compare(BinaryOp::kLess, keys[at + 1], keys[at], span); };
-      const Value less = evaluator.where(evaluator.has_element(given_items, at + 1), span, is_less, false);
+      const Value less = evaluator.compare(BinaryOp::kLess, keys[at + 1], keys[at], span);
       if (const bool* known = less.plain<bool>(); known != nullptr && !*known) continue;
-      exchange(less, items[at].value, items[at + 1].value);
-      exchange(less, keys[at], keys[at + 1]);
+      exchange(less, items, at);
+      exchange(less, keys, at);
     }
   }
-  return Value::chosen_list(std::move(items), true);
+  return items;
 }
 
-void check_number(Evaluator& evaluator, const Value& key, const char* name, Span span) {
-  evaluator.each_shape(key, [&](const Value& one) {
-    if (!one.is_number())
-      evaluator.program_error(span, fmt::format("'{}' needs numbers, here is {}", name, describe(one)),
-                              "key: fun(x) { ... } gives a number for each");
-    return one;
-  });
+void check_numbers(Evaluator& evaluator, Items keys, const char* name, Span span) {
+  for (const Value& key : keys) {
+    evaluator.each_shape(key, [&](const Value& one) {
+      if (!one.is_number())
+        evaluator.program_error(span, fmt::format("'{}' needs numbers, here is {}", name, describe(one)),
+                                "key: fun(x) { ... } gives a number for each");
+      return one;
+    });
+  }
 }
 
 /// The first of the items whose key is least, or greatest.
@@ -248,23 +246,9 @@ Value extreme(Evaluator& evaluator, Call call, Op op) {
   return evaluator.with_items(given_list, name, span, [&](Items items) -> Value {
     if (items.empty()) evaluator.reject(ConstraintKind::kNotEmpty, span);
     const std::vector<Value> keys = keys_of(evaluator, *key, items, call);
-    for (const Value& one : keys) check_number(evaluator, one, name, span);
+    check_numbers(evaluator, keys, name, span);
     return extreme_by(evaluator, items, keys, op == Op::kMin ? BinaryOp::kLess : BinaryOp::kGreater, span);
   });
-}
-
-/// A packed list in the order of the keys of its elements.
-Value sorted(Evaluator& evaluator, const Value& list, std::vector<Value> keys, Span span) {
-  const Elements items(list);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto check = [&] {
-      check_number(evaluator, keys[i], "sort", span);
-      return Value(true);
-    };
-    evaluator.where(evaluator.has_element(items, i), span, check, true);
-  }
-  if (list.is<List>() && are_constants(keys)) return sorted_constants(evaluator, items, keys, span);
-  return sorted_by_network(evaluator, items, std::move(keys), span);
 }
 
 }  // namespace
@@ -274,18 +258,13 @@ Value maximum(Evaluator& evaluator, Call call) { return extreme(evaluator, call,
 
 Value sort(Evaluator& evaluator, Call call) {
   const Span span = call.site.span;
-  if (given(call.arguments[1])) {
-    return evaluator.with_items(call.arguments[0], "sort", span, [&](Items items) {
-      std::vector<Value> keys = keys_of(evaluator, call.arguments[1], items, call);
-      return sorted(evaluator, Value::list({items.begin(), items.end()}), std::move(keys), span);
-    });
-  }
-  return evaluator.with_list(call.arguments[0], "sort", span, [&](const Value& given_list) {
-    const Value list = evaluator.in_place(given_list);
-    const Elements items(list);
-    std::vector<Value> keys;
-    for (std::size_t i = 0; i < items.size(); ++i) keys.push_back(items.value(i));
-    return sorted(evaluator, list, std::move(keys), span);
+  return evaluator.with_items(call.arguments[0], "sort", span, [&](Items items) {
+    std::vector<Value> keys(items.begin(), items.end());
+    if (given(call.arguments[1])) keys = keys_of(evaluator, call.arguments[1], items, call);
+    check_numbers(evaluator, keys, "sort", span);
+    std::vector<Value> sorted = are_constants(keys) ? sorted_constants(evaluator, items, keys, span)
+                                                    : sorted_by_network(evaluator, items, keys, span);
+    return evaluator.make_list(std::move(sorted), span);
   });
 }
 
