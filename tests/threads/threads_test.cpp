@@ -52,7 +52,7 @@ constexpr const char* kLaterLarge =
     "return Best(\"best so far\", [d, [down(0)]]);\n";
 
 void check_no_race(const Outcome& outcome) {
-  const std::size_t report = outcome.err.find("WARNING: ThreadSanitizer");
+  const std::size_t report = outcome.err.find("ThreadSanitizer");
   const bool raced = report != std::string::npos;
   CHECK_MESSAGE(!raced, outcome.err.substr(raced ? report : 0, 20000));
 }
